@@ -1,0 +1,44 @@
+# Flags of our own targets. They hang on a target (breccia::flags), never on the whole build.
+#
+# Same bits for any number of threads: a vectorised loop and its scalar remainder must round alike, and which entity
+# falls into the remainder depends on the number of threads. So the compiler makes no fused multiply-add of its own
+# (docs/decisions/0001-rounding.md), and -ffast-math is out. Errno and traps are not read by anybody; giving them up
+# lets loops with sqrt and select vectorise. On the GPU every entity runs the same instructions, so nvcc keeps its
+# fused multiply-add.
+
+add_library(breccia_flags INTERFACE)
+add_library(breccia::flags ALIAS breccia_flags)
+
+set(breccia_host_flags -ffp-contract=${BRECCIA_FP_CONTRACT} -fno-math-errno -fno-trapping-math)
+if(BRECCIA_ARCH STREQUAL "native")
+  list(APPEND breccia_host_flags -march=native)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+  list(APPEND breccia_host_flags -march=x86-64-v3)
+endif()
+set(breccia_warning_flags -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
+if(BRECCIA_WARNINGS_AS_ERRORS)
+  list(APPEND breccia_warning_flags -Werror)
+endif()
+if(BRECCIA_SANITIZE)
+  set(breccia_sanitize -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  list(APPEND breccia_host_flags ${breccia_sanitize})
+  target_link_options(breccia_flags INTERFACE ${breccia_sanitize})
+endif()
+
+target_compile_options(
+  breccia_flags INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:${breccia_host_flags};${breccia_warning_flags}>")
+if(BRECCIA_LANGUAGE STREQUAL "CUDA")
+  foreach(flag IN LISTS breccia_host_flags)
+    target_compile_options(breccia_flags INTERFACE "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=${flag}>")
+  endforeach()
+  target_compile_options(breccia_flags INTERFACE "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-Wall>")
+endif()
+
+# One precompiled header for all floors. lint.headers compiles each header without it, so it cannot hide a missing
+# include.
+if(BRECCIA_PRECOMPILED_HEADERS AND BRECCIA_LANGUAGE STREQUAL "CXX")
+  set(BRECCIA_PCH breccia_pch)
+  add_library(breccia_pch STATIC ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
+  target_link_libraries(breccia_pch PRIVATE breccia_flags Kokkos::kokkos)
+  target_precompile_headers(breccia_pch PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp)
+endif()

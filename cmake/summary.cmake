@@ -1,0 +1,10 @@
+# What this configuration contains, in the words `breccia info` uses.
+message(STATUS "breccia ${PROJECT_VERSION}: ${CMAKE_BUILD_TYPE}, ${BRECCIA_ARCH}, Kokkos ${BRECCIA_KOKKOS_ORIGIN}")
+foreach(part MPI HDF5 METIS GMSH)
+  message(STATUS "  ${part}: ${BRECCIA_${part}_TEXT}")
+endforeach()
+message(STATUS "  tests: ${BRECCIA_ENABLE_TESTS}, benchmarks: ${BRECCIA_ENABLE_BENCHMARKS}")
+get_property(breccia_summary GLOBAL PROPERTY BRECCIA_SUMMARY)
+foreach(line IN LISTS breccia_summary)
+  message(STATUS "  ${line}")
+endforeach()
