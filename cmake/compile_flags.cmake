@@ -27,16 +27,10 @@ endif()
 
 target_compile_options(
   breccia_flags INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:${breccia_host_flags};${breccia_warning_flags}>")
-if(BRECCIA_LANGUAGE STREQUAL "CUDA")
-  foreach(flag IN LISTS breccia_host_flags)
-    target_compile_options(breccia_flags INTERFACE "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=${flag}>")
-  endforeach()
-  target_compile_options(breccia_flags INTERFACE "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-Wall>")
-endif()
 
 # One precompiled header for all floors. lint.headers compiles each header without it, so it cannot hide a missing
 # include.
-if(BRECCIA_PRECOMPILED_HEADERS AND BRECCIA_LANGUAGE STREQUAL "CXX")
+if(BRECCIA_PRECOMPILED_HEADERS AND NOT BRECCIA_CUDA)
   set(BRECCIA_PCH breccia_pch)
   add_library(breccia_pch STATIC ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
   target_link_libraries(breccia_pch PRIVATE breccia_flags Kokkos::kokkos)

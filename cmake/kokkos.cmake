@@ -93,27 +93,19 @@ macro(breccia_build_kokkos)
   endif()
   set(Kokkos_ENABLE_DEPRECATED_CODE_5 OFF CACHE BOOL "Names that Kokkos will drop")
   include(FetchContent)
+  set(breccia_system "")
+  if(CMAKE_VERSION VERSION_GREATER_EQUAL 3.25)
+    set(breccia_system SYSTEM)
+  endif()
   FetchContent_Declare(
     Kokkos
+    ${breccia_system}
     URL ${breccia_kokkos_archive_file}
     URL_HASH SHA256=${BRECCIA_KOKKOS_SHA256}
-    DOWNLOAD_EXTRACT_TIMESTAMP OFF SYSTEM)
+    DOWNLOAD_EXTRACT_TIMESTAMP OFF)
   FetchContent_MakeAvailable(Kokkos)
   set(BRECCIA_KOKKOS_ORIGIN "built here")
 endmacro()
-
-# CUDA is compiled as a CMake language, not through a wrapper that poses as the C++ compiler: CMake then sees the real
-# compilers, and the compiler cache works.
-if(Kokkos_ENABLE_CUDA)
-  if(NOT CMAKE_CUDA_ARCHITECTURES)
-    set(CMAKE_CUDA_ARCHITECTURES 90)
-  endif()
-  set(CMAKE_CUDA_STANDARD 20)
-  set(CMAKE_CUDA_STANDARD_REQUIRED ON)
-  set(CMAKE_CUDA_EXTENSIONS OFF)
-  enable_language(CUDA)
-  set(Kokkos_ENABLE_COMPILE_AS_CMAKE_LANGUAGE ON CACHE BOOL "CUDA as a CMake language")
-endif()
 
 set(BRECCIA_KOKKOS_ORIGIN "installed")
 if(NOT BRECCIA_KOKKOS STREQUAL "fetch")
@@ -127,11 +119,10 @@ if(NOT TARGET Kokkos::kokkos)
   breccia_build_kokkos()
 endif()
 
-# The language every file that includes Kokkos is compiled as.
-set(BRECCIA_LANGUAGE CXX)
+# CUDA goes through Kokkos's own compiler launcher: it hands every file of a target that links Kokkos to nvcc_wrapper.
+# (CUDA as a CMake language needs CMake 3.25.2 for C++20, one step above the one in Debian 12.) Neither the precompiled
+# header nor the compiler cache works there.
+set(BRECCIA_CUDA FALSE)
 if("CUDA" IN_LIST Kokkos_DEVICES OR Kokkos_ENABLE_CUDA)
-  get_property(breccia_languages GLOBAL PROPERTY ENABLED_LANGUAGES)
-  if("CUDA" IN_LIST breccia_languages)
-    set(BRECCIA_LANGUAGE CUDA)
-  endif()
+  set(BRECCIA_CUDA TRUE)
 endif()

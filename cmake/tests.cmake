@@ -45,7 +45,7 @@ function(breccia_register_tests target prefix area threads labels)
     else()
       set(filter "*Slow*")
     endif()
-    list(JOIN labels "\\\\;" joined)
+    set(list ${target}_${threads}_${speed})
     gtest_discover_tests(
       ${target}
       DISCOVERY_MODE PRE_TEST
@@ -53,9 +53,17 @@ function(breccia_register_tests target prefix area threads labels)
       WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
       TEST_PREFIX ${prefix}.
       TEST_FILTER ${filter}
-      TEST_LIST ${target}_${threads}_${speed}
-      PROPERTIES LABELS "${area}\\\\;${speed}${joined}" PROCESSORS ${threads} TIMEOUT 600 ENVIRONMENT
-                 "OMP_NUM_THREADS=${threads}")
+      TEST_LIST ${list})
+    # Discovery mangles properties that are lists, so ctest sets them afterwards, on the names that were found.
+    set(file ${CMAKE_CURRENT_BINARY_DIR}/${list}_properties.cmake)
+    set(environment "OMP_NUM_THREADS=${threads};${BRECCIA_TEST_ENVIRONMENT}")
+    file(
+      WRITE ${file}
+      "if(${list})\n"
+      "  set_tests_properties(\${${list}} PROPERTIES LABELS [[${area};${speed};${labels}]] PROCESSORS ${threads} "
+      "TIMEOUT 600 ENVIRONMENT [[${environment}]])\n"
+      "endif()\n")
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${file})
   endforeach()
 endfunction()
 
