@@ -1,0 +1,49 @@
+#pragma once
+#include "base/pack.hpp"
+
+namespace breccia {
+
+namespace series {
+inline constexpr int kTerms = 9;
+
+/// sum_k y^k / (2k + 1) up to k = kTerms - 1: atanh(sqrt y) / sqrt y with relative error below
+/// 1e-16 for 0 <= y <= kReach.
+inline constexpr double kReach = 0.02;
+
+template <class R>
+KOKKOS_FORCEINLINE_FUNCTION
+R atanh_over(const R& y) {
+  R s = R(1.0 / (2 * kTerms - 1));
+  for (int k = kTerms - 2; k >= 0; --k) s = s * y + R(1.0 / (2 * k + 1));
+  return s;
+}
+}  // namespace series
+
+/// atanh(q) / q as a function of y = q^2, 0 <= y < 1: a series near zero, the library function
+/// beyond its reach. Lanes that are out of reach are done one by one (rare: stretches above 1.3).
+template <class R>
+KOKKOS_FORCEINLINE_FUNCTION
+R atanh_ratio(const R& y) {
+  if (any(y > R(series::kReach))) {
+    return map_lanes(y, [](double yi) {
+      if (!(yi > series::kReach)) return series::atanh_over(yi);
+      const double q = Kokkos::sqrt(yi);
+      return Kokkos::atanh(q) / q;
+    });
+  }
+  return series::atanh_over(y);
+}
+
+/// ln(j), quick for j near one (0.75 < j < 1.33), exact to round-off everywhere.
+template <class R>
+KOKKOS_FORCEINLINE_FUNCTION
+R log_near_one(const R& j) {
+  const R z = (j - R(1)) / (j + R(1));
+  const R y = z * z;
+  if (any(!(y <= R(series::kReach)))) {
+    return map_lanes(j, [](double ji) { return Kokkos::log(ji); });
+  }
+  return R(2) * z * series::atanh_over(y);
+}
+
+}  // namespace breccia

@@ -1,0 +1,88 @@
+#pragma once
+#include "base/exec.hpp"
+#include "base/vec.hpp"
+
+#include <Kokkos_Core.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace breccia {
+
+// The one place that names layouts. Node data are read at random corners, all components
+// together: rows. Element constants are streamed: columns, so that neighbouring elements fill a
+// SIMD register or a warp.
+using Rows = Kokkos::LayoutRight;
+using Columns = Kokkos::LayoutLeft;
+
+template <class T>
+using Array = Kokkos::View<T*, Memory>;
+
+/// One vector per node, or per any entity that is gathered: (n, D).
+template <int D>
+using Vectors = Kokkos::View<double* [D], Rows, Memory>;
+template <int D>
+using ConstVectors = Kokkos::View<const double* [D], Rows, Memory>;
+
+/// Nodes of the elements: (element, D + 1).
+template <int D>
+using Connectivity = Kokkos::View<Index * [D + 1], Columns, Memory>;
+template <int D>
+using ConstConnectivity = Kokkos::View<const Index * [D + 1], Columns, Memory>;
+
+/// One force per element corner: (element, local node, component).
+template <int D>
+using CornerForces = Kokkos::View<double * [D + 1][D], Rows, Memory>;
+template <int D>
+using ConstCornerForces = Kokkos::View<const double * [D + 1][D], Rows, Memory>;
+
+/// One matrix per element, streamed: (element, D, D).
+template <int D>
+using Matrices = Kokkos::View<double* [D][D], Columns, Memory>;
+template <int D>
+using ConstMatrices = Kokkos::View<const double* [D][D], Columns, Memory>;
+
+/// Pairs of numbers (begin, end).
+using Ranges = Kokkos::View<Index* [2], Rows, Memory>;
+using ConstRanges = Kokkos::View<const Index* [2], Rows, Memory>;
+
+/// New array that is not filled.
+template <class View>
+View allocate(const std::string& label, std::size_t n) {
+  return View(Kokkos::view_alloc(Kokkos::WithoutInitializing, label), n);
+}
+
+/// A device copy of host numbers.
+template <class T>
+Array<T> to_device(const std::string& label, const std::vector<T>& host) {
+  Array<T> device = allocate<Array<T>>(label, host.size());
+  Kokkos::View<const T*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> view(host.data(), host.size());
+  Kokkos::deep_copy(device, view);
+  return device;
+}
+
+/// A host copy of device numbers.
+template <class T>
+std::vector<T> to_host(const Array<T>& device, std::size_t n) {
+  std::vector<T> host(n);
+  Kokkos::View<T*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> view(host.data(), n);
+  Kokkos::deep_copy(view, Kokkos::subview(device, std::make_pair(std::size_t(0), n)));
+  return host;
+}
+
+template <int N, class View>
+KOKKOS_FORCEINLINE_FUNCTION
+Vec<N> row(const View& a, Index i) {
+  Vec<N> r;
+  for (int d = 0; d < N; ++d) r[d] = a(i, d);
+  return r;
+}
+
+template <int N, class View>
+KOKKOS_FORCEINLINE_FUNCTION
+void set_row(const View& a, Index i, const Vec<N>& r) {
+  for (int d = 0; d < N; ++d) a(i, d) = r[d];
+}
+
+}  // namespace breccia

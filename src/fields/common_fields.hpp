@@ -1,0 +1,224 @@
+#pragma once
+#include "fields/field.hpp"
+
+#include <cstdint>
+
+namespace breccia {
+
+// Fields that more than one module reads. A field type names its view and describes itself.
+
+template <int D>
+struct NodePosition {
+  using View = Vectors<D>;
+  static constexpr FieldInfo info{"node_position", Entity::node, "m", Restart::yes,
+                                  "current position x^n"};
+};
+
+template <int D>
+struct NodeVelocity {
+  using View = Vectors<D>;
+  static constexpr FieldInfo info{"node_velocity", Entity::node, "m/s", Restart::yes,
+                                  "velocity v^(n-1/2), half a step behind the positions"};
+};
+
+template <int D>
+struct NodeReference {
+  using View = Vectors<D>;
+  static constexpr FieldInfo info{"node_reference", Entity::node, "m", Restart::yes,
+                                  "position in the reference configuration"};
+};
+
+struct NodeMass {
+  using View = Array<double>;
+  static constexpr FieldInfo info{"node_mass", Entity::node, "kg", Restart::yes,
+                                  "sum of the masses of its corners"};
+};
+
+struct NodeFamily {
+  using View = Array<Index>;
+  static constexpr FieldInfo info{"node_family", Entity::node, "1", Restart::yes,
+                                  "original mesh node that this node is a copy of"};
+};
+
+/// Bits of a node that the motion loop looks at.
+namespace node_flag {
+inline constexpr std::uint32_t fixed_x = 1, fixed_y = 2, fixed_z = 4;  // component d: fixed_x << d
+inline constexpr std::uint32_t fixed_any = 7;
+inline constexpr std::uint32_t interface = 8;  // has interface corner forces
+inline constexpr std::uint32_t contact = 16;   // may have contact corner forces
+inline constexpr std::uint32_t load = 32;      // has surface loads
+inline constexpr int boundary_shift = 16;      // number of the prescribed motion in the high bits
+}  // namespace node_flag
+
+struct NodeFlags {
+  using View = Array<std::uint32_t>;
+  static constexpr FieldInfo info{"node_flags", Entity::node, "1", Restart::yes,
+                                  "prescribed components, force classes present, boundary"};
+};
+
+/// Corners of node n are corner_list[begin(n)] ... corner_list[end(n) - 1], ascending. A corner
+/// is element * (D + 1) + local node. The corners of a family are one fixed stretch of the
+/// list; splitting only re-sorts the stretch (ALGORITHMS ).
+struct NodeCorners {
+  using View = Ranges;
+  static constexpr FieldInfo info{"node_corners", Entity::node, "1", Restart::yes,
+                                  "begin and end of the node's corners in the corner list"};
+};
+
+struct CornerList {
+  using View = Array<Index>;
+  static constexpr FieldInfo info{"corner_list", Entity::corner, "1", Restart::yes,
+                                  "corners sorted by family, then node, then corner"};
+};
+
+/// Stretch of the corner list that belongs to a family; never changes.
+struct FamilyCorners {
+  using View = Ranges;
+  static constexpr FieldInfo info{"family_corners", Entity::family, "1", Restart::no,
+                                  "begin and end of the family's corners in the corner list"};
+};
+
+template <int D>
+struct ElementNodes {
+  using View = Connectivity<D>;
+  static constexpr FieldInfo info{"element_nodes", Entity::element, "1", Restart::yes,
+                                  "node (copy) at each corner"};
+};
+
+template <int D>
+struct ElementFamilies {
+  using View = Connectivity<D>;
+  static constexpr FieldInfo info{"element_families", Entity::element, "1", Restart::no,
+                                  "original mesh node at each corner"};
+};
+
+/// Inverse of the reference edge matrix [X1 - X0, ...]; unit 1/m.
+template <int D>
+struct ElementReference {
+  using View = Matrices<D>;
+  static constexpr FieldInfo info{"element_reference", Entity::element, "1/m", Restart::no,
+                                  "inverse of the reference edge matrix"};
+};
+
+struct ElementBody {
+  using View = Array<Index>;
+  static constexpr FieldInfo info{"element_body", Entity::element, "1", Restart::no,
+                                  "number of the body"};
+};
+
+struct ElementMaterial {
+  using View = Array<Index>;
+  static constexpr FieldInfo info{"element_material", Entity::element, "1", Restart::no,
+                                  "number of the material"};
+};
+
+/// 1 where the stress may reach a face's insertion threshold on some plane (prefilter of the
+/// insertion check; an upper bound, see point/cohesive_onset.hpp).
+struct ElementHot {
+  using View = Array<std::uint8_t>;
+  static constexpr FieldInfo info{"element_hot", Entity::element, "1", Restart::no,
+                                  "stress may reach an interface's threshold on some plane"};
+};
+
+// Forces on element corners, one array per class; sums over a node's corners are nodal forces.
+// Booked on corners so that a splitting node can sort them (ALGORITHMS ).
+template <int D>
+struct ElementForce {
+  using View = CornerForces<D>;
+  static constexpr FieldInfo info{"element_force", Entity::element, "N", Restart::no,
+                                  "internal forces of the element on its corners"};
+};
+
+template <int D>
+struct InterfaceForce {
+  using View = CornerForces<D>;
+  static constexpr FieldInfo info{"interface_force", Entity::element, "N", Restart::no,
+                                  "forces of inserted interfaces, booked on element corners"};
+};
+
+template <int D>
+struct ContactForce {
+  using View = CornerForces<D>;
+  static constexpr FieldInfo info{"contact_force", Entity::element, "N", Restart::no,
+                                  "contact forces, booked on element corners"};
+};
+
+template <int D>
+struct LoadForce {
+  using View = CornerForces<D>;
+  static constexpr FieldInfo info{"load_force", Entity::element, "N", Restart::no,
+                                  "tractions and pressures, booked on element corners"};
+};
+
+/// Life of a face between two elements.
+namespace face_status {
+inline constexpr std::uint8_t bonded = 0, inserted = 1, released = 2;
+/// A bonded face that can never break: no fracture law joins its two materials.
+inline constexpr std::uint8_t tied = 3;
+}  // namespace face_status
+
+struct FaceStatus {
+  using View = Array<std::uint8_t>;
+  static constexpr FieldInfo info{"face_status", Entity::face, "1", Restart::yes,
+                                  "0 bonded, 1 inserted, 2 released, 3 tied for ever"};
+};
+
+/// Elements on the left and right of a face between two elements, left < right.
+struct FaceElements {
+  using View = Ranges;
+  static constexpr FieldInfo info{"face_elements", Entity::face, "1", Restart::no,
+                                  "left and right element"};
+};
+
+/// Packed: left local face | right local face << 2 | rotation << 4 (mesh/topology.hpp).
+struct FaceCode {
+  using View = Array<std::uint8_t>;
+  static constexpr FieldInfo info{"face_code", Entity::face, "1", Restart::no,
+                                  "local faces and rotation, packed"};
+};
+
+KOKKOS_INLINE_FUNCTION
+constexpr int left_face(std::uint8_t code) {
+  return code & 3;
+}
+KOKKOS_INLINE_FUNCTION
+constexpr int right_face(std::uint8_t code) {
+  return (code >> 2) & 3;
+}
+KOKKOS_INLINE_FUNCTION
+constexpr int rotation(std::uint8_t code) {
+  return code >> 4;
+}
+
+/// Number of the shared face at each local face of an element, kNone at free faces.
+template <int D>
+struct ElementFaces {
+  using View = Connectivity<D>;
+  static constexpr FieldInfo info{"element_faces", Entity::element, "1", Restart::no,
+                                  "shared face at each local face, or none"};
+};
+
+/// Prescribed velocity of each boundary at t^(n+1/2).
+template <int D>
+struct BoundaryVelocity {
+  using View = Vectors<D>;
+  static constexpr FieldInfo info{"boundary_velocity", Entity::boundary, "m/s", Restart::no,
+                                  "prescribed velocity at the middle of the step"};
+};
+
+/// Force that holds a prescribed node on its way; zero in free components.
+template <int D>
+struct NodeReaction {
+  using View = Vectors<D>;
+  static constexpr FieldInfo info{"node_reaction", Entity::node, "N", Restart::no,
+                                  "force of the prescribed motion on the node"};
+};
+
+/// Stiffness of springs (interfaces, contact) at a node; the time step looks at it.
+struct NodeStiffness {
+  using View = Array<double>;
+  static constexpr FieldInfo info{"node_stiffness", Entity::node, "N/m", Restart::no,
+                                  "sum of the spring stiffnesses that act at the node"};
+};
+
+}  // namespace breccia

@@ -1,0 +1,24 @@
+#pragma once
+#include "base/views.hpp"
+
+#include <string_view>
+
+namespace breccia {
+
+/// What a field has one value for. `interface` counts inserted faces; it and `node` grow.
+enum class Entity { node, corner, element, family, face, interface, boundary, count_ };
+
+inline constexpr int kEntities = static_cast<int>(Entity::count_);
+
+enum class Restart : bool { no, yes };
+
+/// What is said about a field once, where it is declared.
+struct FieldInfo {
+  std::string_view name;
+  Entity entity;
+  std::string_view unit;
+  Restart restart;
+  std::string_view text;
+};
+
+}  // namespace breccia

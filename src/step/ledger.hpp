@@ -1,0 +1,49 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace breccia {
+
+/// Classes of force whose work is booked step by step (level 1 of ALGORITHMS ).
+enum class ForceClass { element, interface, contact, load, gravity, constraint, count_ };
+inline constexpr int kForceClasses = static_cast<int>(ForceClass::count_);
+
+/// What an energy of level 2 is.
+enum class EnergyKind { stored, dissipated };
+
+/// Energies of the scene at one instant, J. Modules add to it by the names of.
+class Ledger {
+ public:
+  /// Adds to the entry `name`, which is made where it does not exist.
+  void add(const std::string& name, EnergyKind kind, double joule);
+  double value(const std::string& name) const;  ///< 0 where there is no such entry
+
+  struct Entry {
+    std::string name;
+    EnergyKind kind;
+    double joule;
+  };
+  const std::vector<Entry>& entries() const { return entries_; }
+
+  double kinetic = 0;                      ///< at t^n, from v^(n-1/2).v^(n+1/2)
+  double kinetic_half = 0;                 ///< at t^(n+1/2)
+  double work[kForceClasses] = {};         ///< booked up to t^(n+1/2), J
+  double work_middle[kForceClasses] = {};  ///< booked up to t^n
+  double kinetic_start = 0;
+  double stored_start = 0;
+
+  double stored() const;
+  double dissipated() const;
+  /// Work of loads, gravity and prescribed motion up to t^n.
+  double external() const;
+  /// Round-off check: change of kinetic energy minus the work of all forces, over the largest
+  /// energy in play.
+  double residual_1() const;
+  /// Consistency check: kinetic + stored + dissipated - external - start, over the largest.
+  double residual_2() const;
+
+ private:
+  std::vector<Entry> entries_;
+};
+
+}  // namespace breccia

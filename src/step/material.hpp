@@ -1,0 +1,30 @@
+#pragma once
+#include "core/settings.hpp"
+
+#include <string>
+#include <vector>
+
+namespace breccia {
+
+/// Isotropic elastic constants of one material as the scene gives them; SI.
+struct Material {
+  std::string name;
+  double density = 0;  ///< kg/m3
+  double young = 0;    ///< Pa
+  double poisson = 0;
+  double damping = 0;  ///< fraction of critical at the highest mode of each element (A-1.6)
+
+  double lambda() const { return young * poisson / ((1 + poisson) * (1 - 2 * poisson)); }
+  double mu() const { return young / (2 * (1 + poisson)); }
+  /// lambda of plane stress, which keeps sigma_33 at zero.
+  double lambda_plane_stress() const { return 2 * lambda() * mu() / (lambda() + 2 * mu()); }
+  /// Modulus of compression without lateral strain; in plane stress the in-plane one.
+  double p_wave_modulus(bool plane_stress) const {
+    return (plane_stress ? lambda_plane_stress() : lambda()) + 2 * mu();
+  }
+};
+
+/// The [material.*] sections in scene order.
+std::vector<Material> read_materials(const Settings& scene);
+
+}  // namespace breccia

@@ -1,0 +1,60 @@
+#pragma once
+#include "core/settings.hpp"
+#include "fields/common_fields.hpp"
+#include "fields/store.hpp"
+#include "mesh/mesh.hpp"
+#include "mesh/topology.hpp"
+#include "point/stress_watch.hpp"
+#include "step/material.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace breccia {
+
+/// Elements [begin, end) of one material: one law per block, chosen on the host.
+struct Block {
+  Index begin = 0, end = 0;
+  Index material = 0;
+  /// Set by whoever wants to know which elements come near an interface's strength.
+  StressWatch watch;
+};
+
+/// Why a run must end before its time; found in a step, reported by the run loop.
+struct Stop {
+  bool raised = false;
+  std::string cause;  ///< what happened, where and when, and the likely cause
+};
+
+/// Everything that modules share: the scene, the mesh on the host, the fields on the device.
+template <int D>
+struct Model {
+  const Settings* scene = nullptr;
+  Mesh<D> mesh;          ///< reference mesh in locality order, blocks contiguous
+  Topology<D> topology;  ///< of the reference mesh
+  std::vector<Material> materials;
+  std::vector<Index> body_material;  ///< material of each body
+  std::vector<Block> blocks;
+  double thickness = 1;  ///< m, 2D; 1 in 3D
+  bool plane_stress = false;
+  Store store;
+
+  // Events that other modules answer to; they count up.
+  std::int64_t splits = 0;    ///< steps in which nodes split: corner lists and nodes changed
+  std::int64_t releases = 0;  ///< steps in which faces were released: new surface
+  /// Raised by whoever makes the stable step smaller (insertion, new contact candidates).
+  bool step_is_stale = true;
+  Stop stop;
+
+  Index nodes() const { return store.count(Entity::node); }
+  Index elements() const { return mesh.elements(); }
+  const Material& material_of_body(Index body) const { return materials[body_material[body]]; }
+  /// P-wave modulus and density that the time step and penalties use.
+  double p_wave_modulus(Index material) const {
+    return materials[material].p_wave_modulus(D == 2 && plane_stress);
+  }
+};
+
+}  // namespace breccia

@@ -1,0 +1,79 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace breccia {
+
+/// A row of the history is taken in two moments of one step: `before` the nodes move (positions
+/// and stresses at t^n, velocities at t^(n-1/2)) and `after` (velocities at t^(n+1/2),
+/// reactions). Velocities at t^n are the mean of both.
+enum class Moment { before, after };
+
+/// One history row in the making: columns in the order in which they were first set.
+class Row {
+ public:
+  void set(const std::string& column, double value);
+  double get(const std::string& column) const;  ///< 0 where it is not set yet
+  const std::vector<std::string>& columns() const { return columns_; }
+  const std::vector<double>& values() const { return values_; }
+  void restart_row();  ///< keeps the columns, zeroes the values
+
+ private:
+  std::vector<std::string> columns_;
+  std::vector<double> values_;
+};
+
+/// Fields of a frame. `components` numbers per entity, entity-major.
+struct PictureField {
+  std::string name;
+  std::string unit;
+  int components = 1;
+  std::vector<double> values;
+};
+
+/// A surface inside the solid that opened: an inserted or released face, for pictures.
+struct CrackFace {
+  double point[3][3];  ///< corners of the mid-surface: 2 (2D) or 3 (3D) points
+  double damage, opening, slip;
+  double mode;  ///< 1 tension ... 2 shear
+  int status;   ///< face_status
+  double area;
+};
+
+/// What modules draw on for one frame.
+struct Picture {
+  std::vector<PictureField> node_fields;
+  std::vector<PictureField> element_fields;
+  std::vector<CrackFace> cracks;
+};
+
+/// One broken face, for events.csv.
+struct Event {
+  double time;
+  double place[3];
+  double normal[3];
+  double mode;                          ///< 1 tension ... 2 shear
+  double area;                          ///< m2
+  double energy_tension, energy_shear;  ///< J
+};
+
+/// Counts that the report and the checks ask for.
+struct Counts {
+  std::int64_t bonded = 0, inserted = 0, released = 0;
+  std::int64_t contact_points = 0;
+};
+
+/// State of a module that is not in the store: named numbers for a checkpoint.
+class Archive {
+ public:
+  virtual ~Archive() = default;
+  virtual bool loading() const = 0;
+  virtual void number(std::string_view name, double& value) = 0;
+  virtual void integer(std::string_view name, std::int64_t& value) = 0;
+  virtual void numbers(std::string_view name, std::vector<double>& values) = 0;
+  virtual void integers(std::string_view name, std::vector<std::int64_t>& values) = 0;
+};
+
+}  // namespace breccia
