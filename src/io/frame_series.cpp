@@ -1,0 +1,105 @@
+#include "io/frame_series.hpp"
+
+#include "io/aside_file.hpp"
+#include "io/hdf5_file.hpp"
+#include "io/number.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <numeric>
+#include <string_view>
+
+namespace breccia {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kMesh = "frames/";
+constexpr const char* kCracks = "frames/cracks_";
+constexpr const char* kMeshList = "frames.vtkhdf.series";
+constexpr const char* kCrackList = "cracks.vtkhdf.series";
+
+// Number of the frame that a file of the folder belongs to, or -1 when it is none of ours.
+long frame_number(const std::string& file) {
+  std::string_view digits = file;
+  for (const std::string_view prefix : {"cracks_"}) {
+    if (digits.starts_with(prefix)) digits.remove_prefix(prefix.size());
+  }
+  const auto end = digits.find(".vtkhdf");
+  if (end == std::string_view::npos || end == 0) return -1;
+  if (digits.substr(0, end).find_first_not_of("0123456789") != std::string_view::npos) return -1;
+  return std::atol(std::string(digits.substr(0, end)).c_str());
+}
+
+}  // namespace
+
+FrameSeries::FrameSeries(std::string folder) : FrameSeries(std::move(folder), {}) {}
+
+FrameSeries::FrameSeries(std::string folder, std::vector<double> times)
+    : folder_(std::move(folder)), times_(std::move(times)) {
+  const std::string frames = (fs::path(folder_) / "frames").string();
+  require_hdf5(frames);
+  std::error_code trouble;
+  fs::create_directories(frames, trouble);
+  if (trouble) throw file_error(frames, "create the folder", trouble.value());
+  remove_later_frames();
+  for (std::size_t k = 0; k < times_.size(); ++k) {
+    if (fs::exists(name(kCracks, k))) cracks_.push_back(k);
+  }
+  std::vector<std::size_t> all(times_.size());
+  std::iota(all.begin(), all.end(), 0u);
+  write_list(kMesh, kMeshList, all);
+  if (!cracks_.empty()) write_list(kCracks, kCrackList, cracks_);
+}
+
+std::string FrameSeries::name(const char* prefix, std::size_t number) const {
+  std::string digits = std::to_string(number);
+  if (digits.size() < 6) digits.insert(0, 6 - digits.size(), '0');
+  return (fs::path(folder_) / (prefix + digits + ".vtkhdf")).string();
+}
+
+void FrameSeries::remove_later_frames() const {
+  std::vector<fs::path> later;
+  for (const auto& entry : fs::directory_iterator(fs::path(folder_) / "frames")) {
+    const long number = frame_number(entry.path().filename().string());
+    if (number >= static_cast<long>(times_.size())) later.push_back(entry.path());
+  }
+  std::error_code trouble;
+  for (const fs::path& path : later) {
+    if (!fs::remove(path, trouble) && trouble)
+      throw file_error(path.string(), "remove", trouble.value());
+  }
+  fs::remove(fs::path(folder_) / kCrackList, trouble);  // written again when there are cracks
+}
+
+void FrameSeries::write_list(const char* prefix, const char* list,
+                             const std::vector<std::size_t>& numbers) const {
+  std::string text = "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [";
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const fs::path path = name(prefix, numbers[i]);
+    text += i == 0 ? "\n" : ",\n";
+    text += "    {\"name\": \"frames/" + path.filename().string() + "\", \"time\": ";
+    append_number(text, times_[numbers[i]]);
+    text += "}";
+  }
+  text += "\n  ]\n}\n";
+  write_whole((fs::path(folder_) / list).string(), text);
+}
+
+void FrameSeries::write(const Frame& frame) {
+  write_frame(name(kMesh, times_.size()), frame);
+  times_.push_back(frame.time);
+  std::vector<std::size_t> all(times_.size());
+  std::iota(all.begin(), all.end(), 0u);
+  write_list(kMesh, kMeshList, all);
+}
+
+void FrameSeries::write(const Frame& frame, const CrackFrame& cracks) {
+  const std::size_t number = times_.size();
+  write_frame(name(kCracks, number), as_frame(cracks, frame.time, frame.step));
+  write(frame);
+  cracks_.push_back(number);
+  write_list(kCracks, kCrackList, cracks_);
+}
+
+}  // namespace breccia

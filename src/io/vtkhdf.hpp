@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace breccia {
+
+/// Cell kinds that frames are made of, with VTK's numbers.
+enum class CellType : std::uint8_t { vertex = 1, line = 3, triangle = 5, tetrahedron = 10 };
+
+int corners_of(CellType type);
+
+/// A named array over points or cells, entity by entity. Two components are a plane vector and are written with a
+/// zero third one, because VTK's glyphs and warps want three; symmetric tensors come as xx, yy, zz, xy, yz, xz.
+struct FrameArray {
+  std::string name;
+  std::string unit;  ///< kept as attribute "unit" of the data set; pictures print it
+  int components = 1;
+  std::variant<std::span<const double>, std::span<const float>, std::span<const std::int32_t>>
+      values;
+};
+
+/// One mesh with its fields at one time. Everything is borrowed for the time of the call.
+struct Frame {
+  int dimension = 3;                           ///< components per point in `points`
+  std::span<const double> points;              ///< [m]; written with three components
+  CellType cell = CellType::tetrahedron;       ///< all cells are of one kind
+  std::span<const std::int32_t> connectivity;  ///< corners, cell by cell
+  std::vector<FrameArray> point_arrays, cell_arrays;
+  double time = 0;        ///< [s]; FieldData "time"
+  std::int64_t step = 0;  ///< FieldData "step"
+};
+
+/// Crack faces at one time: lines in 2D, triangles in 3D, one value per face in every array.
+struct CrackFrame {
+  int dimension = 2;
+  std::span<const double> points;
+  std::span<const std::int32_t> connectivity;
+  std::span<const double> damage;  ///< 0 intact ... 1 broken
+  std::span<const double>
+      mode;  ///< share of the fracture energy spent in shear: 0 opening ... 1 shear
+  std::span<const double> opening;       ///< [m] largest opening so far
+  std::span<const std::int32_t> status;  ///< 1 inserted (cohesive), 2 released (broken)
+};
+
+Frame as_frame(const CrackFrame& cracks, double time, std::int64_t step);
+
+/// Writes a VTKHDF 1.0 UnstructuredGrid (as VTK 9.1's vtkHDFReader opens it), whole or not at all.
+/// Throws Error (no HDF5 in this build, disk full, no permission); std::logic_error when sizes do not fit together.
+void write_frame(const std::string& path, const Frame& frame);
+
+}  // namespace breccia
