@@ -23,7 +23,7 @@ GOOD = {
     "src/modules/solid/solid.cpp": '#include "modules/solid/solid.hpp"\n',
     "src/io/CMakeLists.txt": "breccia_floor(io LEVEL S3 SOURCES plot.cpp)\n",
     "src/io/README.md": README,
-    "src/io/plot.cpp": '#include "base/vec.hpp"\n#include <hdf5.h>\n\n#include <toml.hpp>\n',
+    "src/io/plot.cpp": '#include "base/vec.hpp"\n\n#include <hdf5.h>\n#include <toml.hpp>\n',
     "tests/unit/CMakeLists.txt": "breccia_test(unit SOURCES vec.cpp)\n",
     "tests/unit/README.md": README,
     "tests/unit/vec.cpp": '#include "base/vec.hpp"\n\n#include <gtest/gtest.h>\n',
