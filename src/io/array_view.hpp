@@ -70,12 +70,14 @@ struct ArrayInfo {
   std::size_t bytes() const { return count() * size_of(type); }
 };
 
-/// Host memory that somebody else owns, with its type and shape; what every writer of this folder takes.
+/// Host memory that somebody else owns, with its type and shape; what every writer of this folder
+/// takes.
 struct ArrayView : ArrayInfo {
   const void* data = nullptr;
 };
 
-/// View of a contiguous range of numbers (vector, span, array) with the given shape; empty shape: one row of all.
+/// View of a contiguous range of numbers (vector, span, array) with the given shape; empty shape:
+/// one row of all.
 template <class Range>
 ArrayView view_of(const Range& values, std::vector<std::size_t> shape = {}) {
   const std::span all(values);

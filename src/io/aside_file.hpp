@@ -7,12 +7,14 @@
 
 namespace breccia {
 
-/// The Error of a failed system call on a file: `doing` is what was tried ("write", "create folder"), `code` is errno.
-/// Causes users meet (disk full, no permission, no such folder) get a remedy of their own.
+/// The Error of a failed system call on a file: `doing` is what was tried ("write", "create
+/// folder"), `code` is errno. Causes users meet (disk full, no permission, no such folder) get a
+/// remedy of their own.
 Error file_error(const std::string& path, std::string_view doing, int code);
 
-/// A file that comes into being whole or not at all: it is written under `part()`, then renamed to its name. An
-/// older file of that name stays until then. What is not published is removed when the object goes.
+/// A file that comes into being whole or not at all: it is written under `part()`, then renamed to
+/// its name. An older file of that name stays until then. What is not published is removed when the
+/// object goes.
 class AsideFile {
  public:
   explicit AsideFile(std::string target) : target_(std::move(target)), part_(target_ + ".part") {}
@@ -27,7 +29,8 @@ class AsideFile {
   void write(std::string_view content);
   /// Forces what lies under `part()` to the disk. Throws Error.
   void sync();
-  /// Renames the part to the target and makes the renaming durable. Call `sync` before. Throws Error.
+  /// Renames the part to the target and makes the renaming durable. Call `sync` before. Throws
+  /// Error.
   void publish();
 
  private:

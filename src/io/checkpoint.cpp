@@ -16,7 +16,8 @@ constexpr std::string_view kMagic = "Breccia checkpoint\n";
 constexpr std::int64_t kFormat = 1;
 constexpr const char* kStartAgain = "start again with --overwrite";
 
-// Everything the header says, and the checksum of that. These lines are the same in every format to come.
+// Everything the header says, and the checksum of that. These lines are the same in every format to
+// come.
 std::string header_text(std::int64_t format, std::uint64_t bytes, const std::string& digest) {
   std::string text(kMagic);
   text += "format " + std::to_string(format) + "\nbytes " + std::to_string(bytes) + "\ndigest " +

@@ -10,16 +10,17 @@
 
 namespace breccia {
 
-/// What a checkpoint belongs to. Bit-for-bit restart is promised only for the same scene on the same build, so both
-/// are compared.
+/// What a checkpoint belongs to. Bit-for-bit restart is promised only for the same scene on the
+/// same build, so both are compared.
 struct CheckpointIdentity {
   std::string scene;  ///< fingerprint of the resolved scene
   std::string build;  ///< commit, compiler, backend, precision
 };
 
-/// A whole state as named arrays, numbers and texts. The file is HDF5 behind 512 bytes of readable header that hold
-/// the format, the length and a checksum of all the rest, so that truncation and damage are found before HDF5 sees
-/// the file. It replaces the older checkpoint only when it is whole on the disk. Throws Error.
+/// A whole state as named arrays, numbers and texts. The file is HDF5 behind 512 bytes of readable
+/// header that hold the format, the length and a checksum of all the rest, so that truncation and
+/// damage are found before HDF5 sees the file. It replaces the older checkpoint only when it is
+/// whole on the disk. Throws Error.
 class CheckpointWriter {
  public:
   CheckpointWriter(const std::string& path, const CheckpointIdentity& identity);
@@ -44,8 +45,9 @@ class CheckpointWriter {
   bool sealed_ = false;
 };
 
-/// Reads a checkpoint, bit for bit. The constructor refuses by name a file that is missing, truncated, damaged, no
-/// checkpoint at all, of a newer format, of another scene or of another build, each with a remedy (Error).
+/// Reads a checkpoint, bit for bit. The constructor refuses by name a file that is missing,
+/// truncated, damaged, no checkpoint at all, of a newer format, of another scene or of another
+/// build, each with a remedy (Error).
 class CheckpointReader {
  public:
   CheckpointReader(const std::string& path, const CheckpointIdentity& expected);

@@ -51,10 +51,10 @@ void add_vector(std::vector<double>& row, const std::array<double, 3>& vector, i
 }
 
 std::vector<std::string> event_columns(int dimension) {
-  std::vector<std::string> names = {"time", "step", "interface"};
+  std::vector<std::string> names = {"time"};
   add_place(names, "", dimension);
   add_place(names, "normal_", dimension);
-  names.insert(names.end(), {"area", "mode", "energy_tension", "energy_shear", "energy_friction"});
+  names.insert(names.end(), {"area", "mode", "energy_tension", "energy_shear"});
   return names;
 }
 
@@ -158,11 +158,10 @@ EventWriter::EventWriter(std::string path, int dimension, std::int64_t rows)
 void EventWriter::write(std::span<const CrackEvent> events) {
   std::vector<double> row;
   for (const CrackEvent& event : events) {
-    row = {event.time, static_cast<double>(event.step), static_cast<double>(event.interface_id)};
+    row = {event.time};
     add_vector(row, event.place, dimension_);
     add_vector(row, event.normal, dimension_);
-    row.insert(row.end(), {event.area, event.mode, event.energy_tension, event.energy_shear,
-                           event.energy_friction});
+    row.insert(row.end(), {event.area, event.mode, event.energy_tension, event.energy_shear});
     table_.row(row);
   }
   table_.flush();

@@ -9,10 +9,10 @@
 
 namespace breccia {
 
-/// A table in a text file: one line of column names, then rows of numbers that read back exactly. Rows are only
-/// appended; a run that is taken up again cuts the file to the rows of its checkpoint, so that the file of an
-/// interrupted run equals that of an uninterrupted one byte for byte. All functions throw Error (disk full, no
-/// permission, a file that does not fit).
+/// A table in a text file: one line of column names, then rows of numbers that read back exactly.
+/// Rows are only appended; a run that is taken up again cuts the file to the rows of its
+/// checkpoint, so that the file of an interrupted run equals that of an uninterrupted one byte for
+/// byte. All functions throw Error (disk full, no permission, a file that does not fit).
 class CsvTable {
  public:
   /// Starts a new table; an old file of this name is replaced.
@@ -23,9 +23,11 @@ class CsvTable {
   CsvTable(const CsvTable&) = delete;
   CsvTable& operator=(const CsvTable&) = delete;
 
-  /// Appends one row, one value per column (std::logic_error otherwise). It reaches the file with `flush`.
+  /// Appends one row, one value per column (std::logic_error otherwise). It reaches the file with
+  /// `flush`.
   void row(std::span<const double> values);
-  /// Hands all rows to the system, so that other programs see them and a crash of this one loses nothing.
+  /// Hands all rows to the system, so that other programs see them and a crash of this one loses
+  /// nothing.
   void flush();
   /// Forces all rows to the disk; call before a checkpoint is published.
   void sync();
@@ -63,15 +65,12 @@ class HistoryWriter {
 
 /// One released interface.
 struct CrackEvent {
-  double time = 0;  ///< [s]
-  std::int64_t step = 0;
-  std::int64_t interface_id = 0;  ///< global number, the same for any number of ranks
-  std::array<double, 3> place =
-      {};  ///< [m] middle of the face; only `dimension` components are written
-  std::array<double, 3> normal = {};
-  double area = 0;  ///< [m2]; in 2D [m] times unit thickness
-  double mode = 0;  ///< share of the energy spent in shear: 0 opening ... 1 shear
-  double energy_tension = 0, energy_shear = 0, energy_friction = 0;  ///< [J]
+  double time = 0;                   ///< [s]
+  std::array<double, 3> place = {};  ///< [m] middle of the face; `dimension` components are written
+  std::array<double, 3> normal = {};            ///< unit vector, likewise
+  double area = 0;                              ///< [m2]
+  double mode = 1;                              ///< 1 tension ... 2 shear
+  double energy_tension = 0, energy_shear = 0;  ///< [J]
 };
 
 /// events.csv: one row per released interface, in the order given.

@@ -7,12 +7,16 @@
 namespace breccia {
 namespace {
 
-// Odd constants with about half of their bits set (the fraction of the golden ratio, and one of its multiples).
+// Odd constants with about half of their bits set (the fraction of the golden ratio, and one of its
+// multiples).
 constexpr std::uint64_t kMultiply = 0x9E3779B97F4A7C15u;
 constexpr std::uint64_t kFinish = 0xD6E8FEB86659FD93u;
 
+// Multiplying carries a bit upwards only; the shift between brings the top ones down before the
+// second one.
 std::uint64_t stir(std::uint64_t state, std::uint64_t word) {
-  return std::rotl((state ^ word) * kMultiply, 29);
+  const std::uint64_t h = (state ^ word) * kMultiply;
+  return std::rotl((h ^ (h >> 32)) * kFinish, 29);
 }
 
 std::uint64_t spread(std::uint64_t h) {

@@ -8,9 +8,9 @@
 
 namespace breccia {
 
-/// 64-bit checksum of a stream of bytes, the same on every machine of one byte order. Every step is a bijection of
-/// the 8-byte word it takes in, so damage confined to one word is found with certainty, any other with 1 - 2^-64.
-/// It guards against accidents, not against people.
+/// 64-bit checksum of a stream of bytes, the same on every machine of one byte order. Every step is
+/// a bijection of the 8-byte word it takes in, so damage confined to one word is found with
+/// certainty, any other with 1 - 2^-64. It guards against accidents, not against people.
 class Digest {
  public:
   void update(const void* data, std::size_t bytes);
@@ -32,7 +32,8 @@ class Digest {
 /// 16 hexadecimal digits of a 64-bit number.
 std::string hex16(std::uint64_t value);
 
-/// Short name of a text (a resolved scene, a build description) as 16 hexadecimal digits: equal texts, equal names.
+/// Short name of a text (a resolved scene, a build description) as 16 hexadecimal digits: equal
+/// texts, equal names.
 std::string fingerprint(std::string_view text);
 
 }  // namespace breccia

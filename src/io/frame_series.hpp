@@ -8,15 +8,17 @@
 
 namespace breccia {
 
-/// The frames of a run: `frames/NNNNNN.vtkhdf` with `frames.vtkhdf.series` (the list ParaView opens), and, where the
-/// run has interfaces, `frames/cracks_NNNNNN.vtkhdf` with `cracks.vtkhdf.series`. A frame enters the list only when
-/// it is whole on the disk. All functions throw Error (disk full, no permission, no HDF5 in this build).
+/// The frames of a run: `frames/NNNNNN.vtkhdf` with `frames.vtkhdf.series` (the list ParaView
+/// opens), and, where the run has interfaces, `frames/cracks_NNNNNN.vtkhdf` with
+/// `cracks.vtkhdf.series`. A frame enters the list only when it is whole on the disk. All functions
+/// throw Error (disk full, no permission, no HDF5 in this build).
 class FrameSeries {
  public:
   /// Starts a new series in the run folder `folder`.
   explicit FrameSeries(std::string folder);
 
-  /// Goes on after a checkpoint that had written frames at `times` [s]: later frames are removed and written again.
+  /// Goes on after a checkpoint that had written frames at `times` [s]: later frames are removed
+  /// and written again.
   FrameSeries(std::string folder, std::vector<double> times);
 
   void write(const Frame& frame);

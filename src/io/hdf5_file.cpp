@@ -17,7 +17,8 @@ void require_hdf5(const std::string& path) {
 
 #if !BRECCIA_WITH_HDF5
 
-// Constructing a writer or reader throws, so no other member is ever reached; they exist to be linked.
+// Constructing a writer or reader throws, so no other member is ever reached; they exist to be
+// linked.
 H5Writer::H5Writer(const std::string& path, std::size_t) : aside_(path) {
   require_hdf5(path);
 }

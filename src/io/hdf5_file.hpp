@@ -12,22 +12,26 @@
 
 namespace breccia {
 
-/// Whether this build can read and write HDF5. Without it every function below throws Error that says so.
+/// Whether this build can read and write HDF5. Without it every function below throws Error that
+/// says so.
 bool hdf5_available();
 
 /// Throws Error naming `path` and how to get a build with HDF5, unless `hdf5_available()`.
 void require_hdf5(const std::string& path);
 
-/// How a data set is stored. Contiguous by default; a deflate level of 1..9 stores it in compressed chunks.
+/// How a data set is stored. Contiguous by default; a deflate level of 1..9 stores it in compressed
+/// chunks.
 struct H5Storage {
   int deflate = 0;
 };
 
-/// Writes one HDF5 file whole or not at all. Names are paths ("VTKHDF/PointData/velocity"); missing groups are made.
-/// Every failure throws Error with the file and the cause; the target is then as it was and the part is gone.
+/// Writes one HDF5 file whole or not at all. Names are paths ("VTKHDF/PointData/velocity"); missing
+/// groups are made. Every failure throws Error with the file and the cause; the target is then as
+/// it was and the part is gone.
 class H5Writer {
  public:
-  /// `user_block`: bytes kept free at the start of the file for the caller (0 or a power of two from 512).
+  /// `user_block`: bytes kept free at the start of the file for the caller (0 or a power of two
+  /// from 512).
   explicit H5Writer(const std::string& path, std::size_t user_block = 0);
   ~H5Writer();
   H5Writer(const H5Writer&) = delete;
@@ -38,13 +42,15 @@ class H5Writer {
   /// Scalar data set of fixed-length text.
   void write_text(const std::string& name, std::string_view text);
 
-  /// Attributes of a group or data set that exists ("" or "/" is the file). Text is fixed-length, as VTK demands.
+  /// Attributes of a group or data set that exists ("" or "/" is the file). Text is fixed-length,
+  /// as VTK demands.
   void attribute(const std::string& object, const std::string& name, std::string_view text);
   void attribute(const std::string& object, const std::string& name,
                  std::span<const std::int64_t> values);
   void attribute(const std::string& object, const std::string& name, double value);
 
-  /// Closes the HDF5 file; all is on the disk under `part()` afterwards, and nothing more can be written.
+  /// Closes the HDF5 file; all is on the disk under `part()` afterwards, and nothing more can be
+  /// written.
   void seal();
   /// Seals, and gives the file its name.
   void commit();
@@ -55,8 +61,8 @@ class H5Writer {
   std::int64_t file_ = -1;  ///< HDF5 handle; -1 when closed
 };
 
-/// Reads an HDF5 file. Every failure throws Error with the file and the cause (missing, no HDF5, truncated, no such
-/// data set, other type).
+/// Reads an HDF5 file. Every failure throws Error with the file and the cause (missing, no HDF5,
+/// truncated, no such data set, other type).
 class H5Reader {
  public:
   explicit H5Reader(const std::string& path);

@@ -13,9 +13,9 @@ namespace {
 
 using h5::Handle;
 
-// After a failed write (disk full) HDF5 keeps dirty metadata that it can never flush, so the file could never be
-// closed and the library would try again at exit. Its descriptor is therefore turned to memory before closing; the
-// part on the disk is removed anyway.
+// After a failed write (disk full) HDF5 keeps dirty metadata that it can never flush, so the file
+// could never be closed and the library would try again at exit. Its descriptor is therefore turned
+// to memory before closing; the part on the disk is removed anyway.
 void abandon(hid_t file) {
   const Handle access(H5Fget_access_plist(file), H5Pclose);
   void* driver = nullptr;
@@ -134,7 +134,8 @@ void H5Writer::attribute(const std::string& object, const std::string& name, dou
 
 void H5Writer::seal() {
   if (file_ < 0) return;
-  // Flushing first keeps the file open on failure, so that it can be abandoned; a failed close could not.
+  // Flushing first keeps the file open on failure, so that it can be abandoned; a failed close
+  // could not.
   if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0) {
     const Error error = h5::stack_error(aside_.target(), "write");
     abandon(std::exchange(file_, -1));

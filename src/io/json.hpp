@@ -8,8 +8,9 @@
 
 namespace breccia {
 
-/// Writes JSON in the order of the calls, indented by two spaces. Numbers read back exactly; not-a-number and
-/// infinities become null, because JSON has no word for them. Nesting is checked when the text is taken.
+/// Writes JSON in the order of the calls, indented by two spaces. Numbers read back exactly;
+/// not-a-number and infinities become null, because JSON has no word for them. Nesting is checked
+/// when the text is taken.
 class JsonWriter {
  public:
   JsonWriter& begin_object();
@@ -47,7 +48,8 @@ class JsonWriter {
   bool after_key_ = false;
 };
 
-/// Text between quotation marks as JSON wants it: quotes, backslashes and control characters escaped.
+/// Text between quotation marks as JSON wants it: quotes, backslashes and control characters
+/// escaped.
 std::string json_escaped(std::string_view text);
 
 }  // namespace breccia

@@ -56,7 +56,8 @@ void RunFolder::make() const {
   std::error_code trouble;
   fs::create_directories(path_, trouble);
   if (trouble) throw file_error(path_, "create the output folder", trouble.value());
-  // A probe finds read-only folders and full disks now; a kilobyte, because some full disks still take empty files.
+  // A probe finds read-only folders and full disks now; a kilobyte, because some full disks still
+  // take empty files.
   AsideFile probe(path_ + "/probe");
   probe.write(std::string(1024, '\0'));
   probe.sync();

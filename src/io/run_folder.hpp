@@ -8,10 +8,10 @@ namespace breccia {
 /// What to do with an output folder that exists already.
 enum class ExistingFolder { refuse, overwrite, restart };
 
-/// The folder a run writes into, and the names in it. The constructor makes it and tries whether files can be made
-/// in it, so that a run does not discover this at its first frame. Throws Error: exists already (refuse), nothing to
-/// restart from (restart), not a folder, no permission, disk full.
-/// `overwrite` removes what an earlier run of Breccia wrote and nothing else.
+/// The folder a run writes into, and the names in it. The constructor makes it and tries whether
+/// files can be made in it, so that a run does not discover this at its first frame. Throws Error:
+/// exists already (refuse), nothing to restart from (restart), not a folder, no permission, disk
+/// full. `overwrite` removes what an earlier run of Breccia wrote and nothing else.
 class RunFolder {
  public:
   RunFolder(std::string path, ExistingFolder existing);

@@ -119,6 +119,7 @@ Frame as_frame(const CrackFrame& cracks, double time, std::int64_t step) {
   frame.cell_arrays = {{"damage", "1", 1, cracks.damage},
                        {"mode", "1", 1, cracks.mode},
                        {"opening", "m", 1, cracks.opening},
+                       {"slip", "m", 1, cracks.slip},
                        {"status", "1", 1, cracks.status}};
   frame.time = time;
   frame.step = step;

@@ -13,8 +13,9 @@ enum class CellType : std::uint8_t { vertex = 1, line = 3, triangle = 5, tetrahe
 
 int corners_of(CellType type);
 
-/// A named array over points or cells, entity by entity. Two components are a plane vector and are written with a
-/// zero third one, because VTK's glyphs and warps want three; symmetric tensors come as xx, yy, zz, xy, yz, xz.
+/// A named array over points or cells, entity by entity. Two components are a plane vector and are
+/// written with a zero third one, because VTK's glyphs and warps want three; symmetric tensors come
+/// as xx, yy, zz, xy, yz, xz.
 struct FrameArray {
   std::string name;
   std::string unit;  ///< kept as attribute "unit" of the data set; pictures print it
@@ -39,17 +40,18 @@ struct CrackFrame {
   int dimension = 2;
   std::span<const double> points;
   std::span<const std::int32_t> connectivity;
-  std::span<const double> damage;  ///< 0 intact ... 1 broken
-  std::span<const double>
-      mode;  ///< share of the fracture energy spent in shear: 0 opening ... 1 shear
+  std::span<const double> damage;        ///< 0 intact ... 1 broken
+  std::span<const double> mode;          ///< 1 tension ... 2 shear
   std::span<const double> opening;       ///< [m] largest opening so far
+  std::span<const double> slip;          ///< [m] largest slip so far
   std::span<const std::int32_t> status;  ///< 1 inserted (cohesive), 2 released (broken)
 };
 
 Frame as_frame(const CrackFrame& cracks, double time, std::int64_t step);
 
 /// Writes a VTKHDF 1.0 UnstructuredGrid (as VTK 9.1's vtkHDFReader opens it), whole or not at all.
-/// Throws Error (no HDF5 in this build, disk full, no permission); std::logic_error when sizes do not fit together.
+/// Throws Error (no HDF5 in this build, disk full, no permission); std::logic_error when sizes do
+/// not fit together.
 void write_frame(const std::string& path, const Frame& frame);
 
 }  // namespace breccia
