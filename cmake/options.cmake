@@ -36,12 +36,14 @@ option(BRECCIA_WARNINGS_AS_ERRORS "Warnings stop the build (presets switch this 
 option(BRECCIA_SANITIZE "Address and undefined-behaviour sanitizers in our own targets" OFF)
 option(BRECCIA_PRECOMPILED_HEADERS "Precompile Kokkos and the standard library (host compilers only)" ON)
 
-# The compiler cache must be told that a precompiled header may stand in for its text, or it gives up on every file.
+# The compiler cache must be told that a precompiled header may stand in for its text, or it gives up on every file, and
+# where the tree begins, so that a fresh clone elsewhere finds what an earlier one left.
 # Kokkos's CUDA compiler launcher does not share its place with another launcher.
 find_program(BRECCIA_CCACHE ccache)
 mark_as_advanced(BRECCIA_CCACHE)
 if(BRECCIA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT Kokkos_ENABLE_CUDA)
-  set(breccia_ccache ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${BRECCIA_CCACHE})
+  set(breccia_ccache ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros
+                     CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${BRECCIA_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${breccia_ccache})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${breccia_ccache})
 endif()
