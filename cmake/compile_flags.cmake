@@ -20,7 +20,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   # GCC 12 warns about the undefined lanes of its own AVX-512 intrinsics (GCC bug 105593) and about copies of impossible
   # length inside its own std::string (105329, 105651). The sanitizer build and newer compilers still look for what these
   # warnings would find in our code.
-  list(APPEND breccia_warning_flags -Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict -Wno-stringop-overflow)
+  list(APPEND breccia_warning_flags -Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict
+       -Wno-stringop-overflow -Wno-array-bounds)
 endif()
 if(BRECCIA_WARNINGS_AS_ERRORS)
   list(APPEND breccia_warning_flags -Werror)
