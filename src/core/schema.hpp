@@ -40,10 +40,11 @@ struct Range {
   double high = std::numeric_limits<double>::infinity();
   bool open_low = false, open_high = false;
 
+  friend bool operator==(const Range&, const Range&) = default;
   [[nodiscard]] bool admits(double value) const;
   [[nodiscard]] bool limited() const;
-  /// "above 0", "from 0 to 0.5", "at least 1".
-  [[nodiscard]] std::string text() const;
+  /// "above 0 Pa", "from 0 to 0.5", "at least 1"; angles in degrees.
+  [[nodiscard]] std::string text(Dimension dimension) const;
 };
 
 /// One row of the table of keys.
@@ -63,7 +64,10 @@ struct Key {
   std::optional<Config> default_value;
   std::string doc, example;
 
-  [[nodiscard]] std::string kind_text() const;  ///< "pressure", "list of 2 or 3 velocities", ...
+  [[nodiscard]] std::string kind_text() const;     ///< "pressure", "position (a list)", ...
+  [[nodiscard]] std::string unit_text() const;     ///< "Pa"; empty where there is none
+  [[nodiscard]] std::string example_text() const;  ///< `density = "2650 kg/m3"`
+  [[nodiscard]] std::string default_text() const;  ///< as written in a scene; empty: none
 };
 
 /// One section of a scene. Patterns: "run" (single), "material.*" (named), "body[]" (list),
@@ -83,8 +87,11 @@ struct Section {
   std::deque<Key> keys;
 
   [[nodiscard]] const Key* key(std::string_view name) const;
-  [[nodiscard]] std::string anchor() const;  ///< of its heading in docs/input.md
   [[nodiscard]] std::string title() const;   ///< "[material.NAME]", "[[body]]", "body.mesh"
+  [[nodiscard]] std::string path() const;    ///< "material", "body.mesh": for `breccia help`
+  [[nodiscard]] std::string anchor() const;  ///< of its heading in docs/input.md
+  /// "docs/input.md#run (or: breccia help run.duration)".
+  [[nodiscard]] std::string page(std::string_view key = {}) const;
 };
 
 /// Handle with which code describes a key; every call returns the handle again.

@@ -92,7 +92,6 @@ class Settings {
   // For Schema::resolve, which builds the tree.
   void add(Value value) { values_.push_back(std::move(value)); }
   Group& group(std::string_view word, Kind kind);
-  void rename(std::string path, std::string name);
   [[nodiscard]] const std::vector<Value>& values() const { return values_; }
   [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
 

@@ -3,7 +3,7 @@
 
 namespace breccia {
 
-/// The ranks of a run; the only place of core that knows MPI. Without BRECCIA_HAVE_MPI, or when no
+/// The ranks of a run; the only place of core that knows MPI. Without BRECCIA_WITH_MPI, or when no
 /// launcher started the program, there is one rank.
 class World {
  public:
