@@ -112,6 +112,13 @@ struct ElementMaterial {
                                   "number of the material"};
 };
 
+/// Lame constants lambda (that of plane stress in that case) and mu of each material.
+struct MaterialLame {
+  using View = Vectors<2>;
+  static constexpr FieldInfo info{"material_lame", Entity::material, "Pa", Restart::no,
+                                  "Lame constants lambda and mu"};
+};
+
 /// 1 where the stress may reach a face's insertion threshold on some plane (prefilter of the
 /// insertion check; an upper bound, see point/cohesive_onset.hpp).
 struct ElementHot {

@@ -6,7 +6,7 @@
 namespace breccia {
 
 /// What a field has one value for. `interface` counts inserted faces; it and `node` grow.
-enum class Entity { node, corner, element, family, face, interface, boundary, count_ };
+enum class Entity { node, corner, element, family, face, interface, boundary, material, count_ };
 
 inline constexpr int kEntities = static_cast<int>(Entity::count_);
 

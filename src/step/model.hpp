@@ -4,7 +4,6 @@
 #include "fields/store.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/topology.hpp"
-#include "point/stress_watch.hpp"
 #include "step/material.hpp"
 
 #include <cstdint>
@@ -14,12 +13,20 @@
 
 namespace breccia {
 
+/// How far a stress may go before an interface could open on some plane; the numbers of
+/// point/stress_watch.hpp. All zero: nobody wants to know.
+struct Onset {
+  double per_tension = 0;   ///< 1 / (alpha f_t), 1/Pa
+  double per_cohesion = 0;  ///< 1 / (alpha c_0), 1/Pa
+  double friction = 0;      ///< tangent of the friction angle
+};
+
 /// Elements [begin, end) of one material: one law per block, chosen on the host.
 struct Block {
   Index begin = 0, end = 0;
   Index material = 0;
   /// Set by whoever wants to know which elements come near an interface's strength.
-  StressWatch watch;
+  Onset watch;
 };
 
 /// Why a run must end before its time; found in a step, reported by the run loop.
@@ -39,6 +46,7 @@ struct Model {
   std::vector<Block> blocks;
   double thickness = 1;  ///< m, 2D; 1 in 3D
   bool plane_stress = false;
+  Vec<D> gravity = Vec<D>::zero();  ///< m/s2
   Store store;
 
   // Events that other modules answer to; they count up.

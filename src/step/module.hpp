@@ -24,7 +24,8 @@ class Module {
   virtual void declare(Model<D>&) {}
   /// Fills its fields at the start of a fresh run.
   virtual void bind(Model<D>&) {}
-  /// Called after a checkpoint has filled the fields instead of `bind`; rebuilds what is derived.
+  /// Called instead of `bind` after a checkpoint has filled the fields and `archive` the rest;
+  /// rebuilds what is derived.
   virtual void resume(Model<D>& model) { bind(model); }
   /// Puts its tasks into the plan.
   virtual void enlist(Model<D>& model, Plan& plan) = 0;

@@ -1,0 +1,72 @@
+#pragma once
+#include "base/sums.hpp"
+#include "loops/element.hpp"
+#include "point/hencky.hpp"
+
+namespace breccia {
+
+/// Stress and energy of single elements, for onset checks, energies and pictures: the same
+/// law as the element loop, one element at a time.
+template <int D>
+struct ElementStress {
+  ConstConnectivity<D> nodes;
+  ConstVectors<D> x;
+  ConstMatrices<D> reference;
+  Kokkos::View<const Index*, Memory> material;
+  ConstVectors<2> lame;  ///< lambda, mu of each material, Pa
+  double thickness = 1;
+
+  KOKKOS_FUNCTION HenckyElastic law(Index e) const {
+    return {lame(material(e), 0), lame(material(e), 1)};
+  }
+
+  KOKKOS_FUNCTION Sym<D> strain(Index e, double& jacobian) const {
+    Vec<D> at[D + 1];
+    gather(nodes, x, e, e, at);
+    Mat<D> inverse_edges;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) inverse_edges(i, j) = reference(e, i, j);
+    const Mat<D> f = edges<D, double>(at) * inverse_edges;
+    jacobian = determinant(f);
+    return hencky_strain(left_cauchy_green(f), jacobian);
+  }
+
+  /// Elastic Cauchy stress, Pa.
+  KOKKOS_FUNCTION Sym<D> cauchy(Index e) const {
+    double jacobian;
+    const Sym<D> eps = strain(e, jacobian);
+    return law(e).kirchhoff(eps) * (1 / jacobian);
+  }
+
+  /// Reference volume, m3 (area times thickness in the plane).
+  KOKKOS_FUNCTION double volume(Index e) const {
+    Mat<D> inverse_edges;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) inverse_edges(i, j) = reference(e, i, j);
+    return thickness / (kFactorial<D> * determinant(inverse_edges));
+  }
+
+  /// Strain energy, J.
+  KOKKOS_FUNCTION double energy(Index e) const {
+    double jacobian;
+    const Sym<D> eps = strain(e, jacobian);
+    return law(e).energy(eps) * volume(e);
+  }
+};
+
+/// Strain energy of elements [0, n), J; added up in a fixed order.
+template <int D>
+double strain_energy(const ElementStress<D>& stress, Index n);
+
+/// Cauchy stress of elements [0, n): (element, component of Sym<D>), Pa.
+template <int D>
+Kokkos::View<double**, Rows, Memory> cauchy_stress(const ElementStress<D>& stress, Index n);
+
+extern template double strain_energy<2>(const ElementStress<2>&, Index);
+extern template double strain_energy<3>(const ElementStress<3>&, Index);
+extern template Kokkos::View<double**, Rows, Memory> cauchy_stress<2>(const ElementStress<2>&,
+                                                                      Index);
+extern template Kokkos::View<double**, Rows, Memory> cauchy_stress<3>(const ElementStress<3>&,
+                                                                      Index);
+
+}  // namespace breccia

@@ -1,0 +1,76 @@
+#include "loops/node_motion.hpp"
+
+namespace breccia {
+
+namespace {
+
+template <int D>
+struct NodeMotionLoop {
+  NodeMotionIn<D> in;
+  NodeMotionOut<D> out;
+
+  KOKKOS_FUNCTION void operator()(Index n, Sums<kWorks>& work) const {
+    const Index begin = in.corners(n, 0), end = in.corners(n, 1);
+    const std::uint32_t flags = in.flags(n);
+    const double m = in.mass(n);
+    const Vec<D> v = row<D>(out.v, n);
+
+    const Vec<D> element = gather(in.element_force, begin, end);
+    const Vec<D> weight = in.gravity * m;
+    Vec<D> total = element + weight;
+    Vec<D> extra[kExtraClasses];
+    for (int c = 0; c < kExtraClasses; ++c) {
+      if ((flags & in.extra_bit[c]) == 0) continue;
+      extra[c] = gather(in.extra[c], begin, end);
+      total += extra[c];
+    }
+
+    Vec<D> v_new = v + total * (in.kick / m);
+    Vec<D> reaction = Vec<D>::zero();
+    if ((flags & in.fixed_bits) != 0) hold(n, flags, m, v, total, v_new, reaction);
+
+    const Vec<D> way = (v + v_new) * (0.5 * in.kick);
+    work[0] += dot(element, way);
+    for (int c = 0; c < kExtraClasses; ++c)
+      if ((flags & in.extra_bit[c]) != 0) work[1 + c] += dot(extra[c], way);
+    work[4] += dot(weight, way);
+    work[5] += dot(reaction, way);
+    set_row<D>(out.v, n, v_new);
+    set_row<D>(out.x, n, row<D>(out.x, n) + v_new * in.dt);
+  }
+
+ private:
+  KOKKOS_FORCEINLINE_FUNCTION Vec<D> gather(const ConstCornerForces<D>& force, Index begin,
+                                            Index end) const {
+    Vec<D> f = Vec<D>::zero();
+    for (Index k = begin; k < end; ++k) {
+      const double* corner = force.data() + static_cast<std::ptrdiff_t>(in.corner_list(k)) * D;
+      for (int d = 0; d < D; ++d) f[d] += corner[d];
+    }
+    return f;
+  }
+
+  KOKKOS_FUNCTION void hold(Index n, std::uint32_t flags, double m, const Vec<D>& v,
+                            const Vec<D>& total, Vec<D>& v_new, Vec<D>& reaction) const {
+    const auto boundary = static_cast<Index>(flags >> in.boundary_shift);
+    for (int d = 0; d < D; ++d) {
+      if ((flags & in.fixed_bits & (1u << d)) == 0) continue;
+      v_new[d] = in.boundary_velocity(boundary, d);
+      reaction[d] = m * (v_new[d] - v[d]) / in.kick - total[d];
+    }
+    set_row<D>(out.reaction, n, reaction);
+  }
+};
+
+}  // namespace
+
+template <int D>
+void node_motion(Index nodes, const NodeMotionIn<D>& in, const NodeMotionOut<D>& out) {
+  for_each_summed<kWorks>("breccia::motion::node_motion", nodes, out.work,
+                          NodeMotionLoop<D>{in, out});
+}
+
+template void node_motion<2>(Index, const NodeMotionIn<2>&, const NodeMotionOut<2>&);
+template void node_motion<3>(Index, const NodeMotionIn<3>&, const NodeMotionOut<3>&);
+
+}  // namespace breccia

@@ -1,0 +1,147 @@
+#pragma once
+#include "base/mat.hpp"
+#include "base/series.hpp"
+
+namespace breccia {
+
+/// Isotropic hyperelasticity in logarithmic strain.
+///
+// symbols  F [1] deformation gradient   J = det F   B = F F^T   V = sqrt(B) left stretch
+//          eps = ln V [1] Hencky strain   tau = J sigma [Pa] Kirchhoff stress
+//          lambda, mu [Pa] Lame constants (lambda of plane stress in that case)
+//          w [Pa] strain energy per reference volume
+// source   ALGORITHMS in spatial axes, which isotropy allows; Hencky 1928. The law is
+//          exactly hyperelastic: tau = dw/d(eps).
+// page     docs/modules/solid.md
+
+/// eq:solid-1  ln V in the plane: V = (B + J 1) / sqrt(tr B + 2 J), then with m = tr V / 2 and q
+/// the ratio of the deviator's radius to m, ln V = ln(J)/2 1 + (atanh q / q) dev V / m.
+template <class R>
+KOKKOS_FUNCTION Sym<2, R> hencky_strain(const Sym<2, R>& b, const R& jacobian) {
+  const R two_m = square_root(b.s[0] + b.s[1] + R(2) * jacobian);
+  const R four_over = R(1) / (two_m * two_m);
+  const R half = R(0.5) * (b.s[0] - b.s[1]);
+  const R radius2 = half * half + b.s[2] * b.s[2];  // (2 m r)^2
+  const R q2 = R(4) * radius2 * four_over * four_over;
+  const R scale = R(2) * atanh_ratio(q2) * four_over;
+  const R mean = R(0.5) * log_near_one(jacobian);
+  return {{mean + scale * half, mean - scale * half, scale * b.s[2]}};
+}
+
+namespace hencky {
+/// Series terms in space and the largest |X|^2 that they reach with round-off accuracy.
+inline constexpr int kTerms = 14;
+inline constexpr double kReach = 0.08;
+
+/// ln V = (ln B) / 2 by eigenvalues (cyclic Jacobi), for stretches beyond the series.
+KOKKOS_FUNCTION Sym<3> by_eigenvalues(const Sym<3>& b);
+
+/// Z with ln V = X Z, Z = sum_k Y^k / (2k + 1), Y = X^2, summed by Horner's rule in the basis
+/// {1, Y, Y^2} with the Cayley-Hamilton theorem.
+template <class R>
+KOKKOS_FUNCTION Sym<3, R> series_factor(const Sym<3, R>& y) {
+  const Sym<3, R> y2 = commuting_product(y, y);
+  const R i1 = trace(y);
+  const R i2 = R(0.5) * (i1 * i1 - trace(y2));
+  const R i3 = y.s[0] * (y.s[1] * y.s[2] - y.s[3] * y.s[3]) -
+               y.s[5] * (y.s[5] * y.s[2] - y.s[3] * y.s[4]) +
+               y.s[4] * (y.s[5] * y.s[3] - y.s[1] * y.s[4]);
+  R a = R(1.0 / (2 * kTerms - 1)), b = R(0), c = R(0);
+  for (int k = kTerms - 2; k >= 0; --k) {
+    const R next_a = c * i3 + R(1.0 / (2 * k + 1));
+    const R next_b = a - c * i2;
+    c = b + c * i1;
+    a = next_a;
+    b = next_b;
+  }
+  Sym<3, R> z;
+  for (int i = 0; i < 6; ++i) z.s[i] = b * y.s[i] + c * y2.s[i] + (i < 3 ? a : R(0));
+  return z;
+}
+}  // namespace hencky
+
+/// eq:solid-2  ln V in space: X = (B - 1)(B + 1)^-1 = tanh(ln V), so ln V = atanh X.
+template <class R>
+KOKKOS_FUNCTION Sym<3, R> hencky_strain(const Sym<3, R>& b, const R& /*jacobian*/) {
+  Mat<3, R> a;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) a(i, j) = i == j ? b(i, j) + R(1) : b(i, j);
+  const Mat<3, R> c = cofactor(a);
+  const R two_over = R(2) / (a(0, 0) * c(0, 0) + a(0, 1) * c(0, 1) + a(0, 2) * c(0, 2));
+  Sym<3, R> x;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) x(i, j) = (i == j ? R(1) : R(0)) - two_over * c(i, j);
+  const Sym<3, R> y = commuting_product(x, x);
+  Sym<3, R> eps = commuting_product(x, hencky::series_factor(y));
+  if (any(!(trace(y) <= R(hencky::kReach)))) {
+    double lanes_of_b[6][lanes<R>()];
+    for (int i = 0; i < 6; ++i) store(b.s[i], lanes_of_b[i]);
+    for (int l = 0; l < lanes<R>(); ++l) {
+      Sym<3> one;
+      for (int i = 0; i < 6; ++i) one.s[i] = lanes_of_b[i][l];
+      one = hencky::by_eigenvalues(one);
+      for (int i = 0; i < 6; ++i) lanes_of_b[i][l] = one.s[i];
+    }
+    for (int i = 0; i < 6; ++i) eps.s[i] = load<R>(lanes_of_b[i]);
+  }
+  return eps;
+}
+
+struct HenckyElastic {
+  double lambda = 0, mu = 0;
+
+  /// eq:solid-3  tau = lambda tr(eps) 1 + 2 mu eps
+  template <int D, class R>
+  KOKKOS_FUNCTION Sym<D, R> kirchhoff(const Sym<D, R>& eps) const {
+    const R p = R(lambda) * trace(eps);
+    Sym<D, R> tau = eps * R(2 * mu);
+    for (int i = 0; i < D; ++i) tau.s[i] = tau.s[i] + p;
+    return tau;
+  }
+
+  /// eq:solid-4  w = lambda tr(eps)^2 / 2 + mu eps : eps
+  template <int D, class R>
+  KOKKOS_FUNCTION R energy(const Sym<D, R>& eps) const {
+    const R t = trace(eps);
+    return R(0.5 * lambda) * t * t + R(mu) * contract(eps, eps);
+  }
+};
+
+namespace hencky {
+KOKKOS_INLINE_FUNCTION Sym<3> by_eigenvalues(const Sym<3>& b) {
+  double a[3][3], q[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) a[i][j] = b(i, j);
+  for (int sweep = 0; sweep < 12; ++sweep)
+    for (int p = 0; p < 2; ++p)
+      for (int r = p + 1; r < 3; ++r) {
+        if (a[p][r] == 0) continue;
+        const double theta = (a[r][r] - a[p][p]) / (2 * a[p][r]);
+        const double t =
+            (theta >= 0 ? 1.0 : -1.0) / (Kokkos::abs(theta) + Kokkos::sqrt(theta * theta + 1));
+        const double c = 1 / Kokkos::sqrt(t * t + 1), s = t * c;
+        for (int k = 0; k < 3; ++k) {
+          const double kp = a[k][p], kr = a[k][r];
+          a[k][p] = c * kp - s * kr;
+          a[k][r] = s * kp + c * kr;
+        }
+        for (int k = 0; k < 3; ++k) {
+          const double pk = a[p][k], rk = a[r][k];
+          a[p][k] = c * pk - s * rk;
+          a[r][k] = s * pk + c * rk;
+          const double qp = q[k][p], qr = q[k][r];
+          q[k][p] = c * qp - s * qr;
+          q[k][r] = s * qp + c * qr;
+        }
+      }
+  Sym<3> eps = Sym<3>::zero();
+  for (int k = 0; k < 3; ++k) {
+    const double l = 0.5 * Kokkos::log(a[k][k]);
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) eps(i, j) += l * q[i][k] * q[j][k];
+  }
+  return eps;
+}
+}  // namespace hencky
+
+}  // namespace breccia

@@ -1,0 +1,263 @@
+#include "modules/motion/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/mat.hpp"
+#include "modules/motion/motion_fields.hpp"
+
+namespace breccia {
+
+static_assert(kWorks == kForceClasses);
+
+template <int D>
+void Motion<D>::declare(Model<D>& model) {
+  Store& s = model.store;
+  s.add<NodePosition<D>>(key());
+  s.add<NodeVelocity<D>>(key());
+  s.add<NodeReference<D>>(key());
+  s.add<NodeMass>(key());
+  s.add<NodeFamily>(key());
+  s.add<NodeFlags>(key());
+  s.add<NodeCorners>(key());
+  s.add<CornerList>(key());
+  s.add<FamilyCorners>(key());
+  s.add<ElementNodes<D>>(key());
+  s.add<ElementReference<D>>(key());
+  s.add<ElementMaterial>(key());
+  s.add<ElementBody>(key());
+  s.add<ElementForce<D>>(key());
+  s.add<ElementRate>(key());
+}
+
+namespace {
+
+/// Inverse edge matrices and volumes of the reference mesh.
+template <int D>
+void fill_reference(const Model<D>& model, std::vector<double>& volume) {
+  const auto& view = model.store.template get<ElementReference<D>>();
+  const auto host = Kokkos::create_mirror_view(view);
+  volume.resize(model.mesh.element.size());
+  for (std::size_t e = 0; e < host.extent(0); ++e) {
+    // Room behind the last element repeats it, so that a whole pack may be read there.
+    const std::size_t from = std::min(e, model.mesh.element.size() - 1);
+    Mat<D> g;
+    const auto& nodes = model.mesh.element[from];
+    for (int j = 0; j < D; ++j)
+      for (int i = 0; i < D; ++i)
+        g(i, j) = model.mesh.point[nodes[j + 1]][i] - model.mesh.point[nodes[0]][i];
+    const Mat<D> inverted = inverse(g);
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) host(e, i, j) = inverted(i, j);
+    if (e < volume.size()) volume[e] = determinant(g) * model.thickness / (D == 2 ? 2.0 : 6.0);
+  }
+  Kokkos::deep_copy(view, host);
+}
+
+}  // namespace
+
+template <int D>
+void Motion<D>::bind(Model<D>& model) {
+  resume(model);
+  make_corners(model);
+  Store& s = model.store;
+  const Mesh<D>& mesh = model.mesh;
+  const auto mass = Kokkos::create_mirror_view(s.get<NodeMass>());
+  Kokkos::deep_copy(mass, 0.0);
+  for (Index e = 0; e < mesh.elements(); ++e) {
+    const double density = model.material_of_body(mesh.body[e]).density;
+    for (const Index n : mesh.element[e]) mass(n) += density * volume_[e] / (D + 1);
+  }
+  Kokkos::deep_copy(s.get<NodeMass>(), mass);
+  volume_.clear();
+
+  const auto x = Kokkos::create_mirror_view(s.get<NodePosition<D>>());
+  const auto v = Kokkos::create_mirror_view(s.get<NodeVelocity<D>>());
+  const auto family = Kokkos::create_mirror_view(s.get<NodeFamily>());
+  for (Index n = 0; n < mesh.points(); ++n) {
+    family(n) = n;
+    for (int d = 0; d < D; ++d) {
+      x(n, d) = mesh.point[n][d];
+      v(n, d) = initial_.empty() ? 0.0 : initial_[static_cast<std::size_t>(n) * D + d];
+    }
+  }
+  Kokkos::deep_copy(s.get<NodeFamily>(), family);
+  Kokkos::deep_copy(s.get<NodePosition<D>>(), x);
+  Kokkos::deep_copy(s.get<NodeReference<D>>(), x);
+  Kokkos::deep_copy(s.get<NodeVelocity<D>>(), v);
+}
+
+template <int D>
+void Motion<D>::make_corners(Model<D>& model) {
+  Store& s = model.store;
+  const Topology<D>& topology = model.topology;
+  const auto nodes = Kokkos::create_mirror_view(s.get<ElementNodes<D>>());
+  for (std::size_t e = 0; e < nodes.extent(0); ++e)
+    for (int a = 0; a <= D; ++a)
+      nodes(e, a) = e < model.mesh.element.size() ? model.mesh.element[e][a] : 0;
+  const auto range = Kokkos::create_mirror_view(s.get<NodeCorners>());
+  for (Index n = 0; n < model.mesh.points(); ++n)
+    for (int side = 0; side < 2; ++side) range(n, side) = topology.family_start[n + side];
+  const auto list = Kokkos::create_mirror_view(s.get<CornerList>());
+  std::copy(topology.family_corner.begin(), topology.family_corner.end(), list.data());
+  Kokkos::deep_copy(s.get<ElementNodes<D>>(), nodes);
+  Kokkos::deep_copy(s.get<NodeCorners>(), range);
+  Kokkos::deep_copy(s.get<CornerList>(), list);
+}
+
+template <int D>
+void Motion<D>::resume(Model<D>& model) {
+  fill_reference(model, volume_);
+  Store& s = model.store;
+  const auto material = Kokkos::create_mirror_view(s.get<ElementMaterial>());
+  const auto body = Kokkos::create_mirror_view(s.get<ElementBody>());
+  for (Index e = 0; e < model.elements(); ++e) {
+    body(e) = model.mesh.body[e];
+    material(e) = model.body_material[body(e)];
+  }
+  Kokkos::deep_copy(s.get<ElementMaterial>(), material);
+  Kokkos::deep_copy(s.get<ElementBody>(), body);
+  const auto stretch = Kokkos::create_mirror_view(s.get<FamilyCorners>());
+  for (Index n = 0; n < model.mesh.points(); ++n)
+    for (int side = 0; side < 2; ++side) stretch(n, side) = model.topology.family_start[n + side];
+  Kokkos::deep_copy(s.get<FamilyCorners>(), stretch);
+  size_work(model);
+}
+
+template <int D>
+void Motion<D>::size_work(const Model<D>& model) {
+  const auto chunks = chunks_of(model.store.capacity(Entity::node));
+  if (static_cast<Index>(work_.extent(0)) < chunks)
+    Kokkos::resize(work_, static_cast<std::size_t>(chunks));
+  if (wave_speed_.extent(0) > 0) return;
+  std::vector<double> speed, damping, density;
+  for (std::size_t m = 0; m < model.materials.size(); ++m) {
+    density.push_back(model.materials[m].density);
+    damping.push_back(model.materials[m].damping);
+    speed.push_back(std::sqrt(model.p_wave_modulus(static_cast<Index>(m)) / density.back()));
+  }
+  wave_speed_ = to_device("breccia::motion::wave_speed", speed);
+  damping_ = to_device("breccia::motion::damping", damping);
+  density_ = to_device("breccia::motion::density", density);
+}
+
+template <int D>
+void Motion<D>::enlist(Model<D>& model, Plan& plan) {
+  plan.add(Stage::assemble, "motion::node_motion", key(),
+           [this, &model](const Clock& clock) { move(model, clock); })
+      .template reading<ElementForce<D>, NodeCorners, CornerList, NodeMass, NodeFlags>()
+      .template writing<NodePosition<D>, NodeVelocity<D>>();
+}
+
+template <int D>
+void Motion<D>::move(Model<D>& model, const Clock& clock) {
+  size_work(model);
+  const Store& s = model.store;
+  NodeMotionIn<D> in;
+  in.corners = s.get<NodeCorners>();
+  in.corner_list = s.get<CornerList>();
+  in.element_force = s.get<ElementForce<D>>();
+  in.extra[0] = s.get_or_empty<InterfaceForce<D>>();
+  in.extra[1] = s.get_or_empty<ContactForce<D>>();
+  in.extra[2] = s.get_or_empty<LoadForce<D>>();
+  in.extra_bit[0] = s.has<InterfaceForce<D>>() ? node_flag::interface : 0;
+  in.extra_bit[1] = s.has<ContactForce<D>>() ? node_flag::contact : 0;
+  in.extra_bit[2] = s.has<LoadForce<D>>() ? node_flag::load : 0;
+  in.flags = s.get<NodeFlags>();
+  in.mass = s.get<NodeMass>();
+  in.boundary_velocity = s.get_or_empty<BoundaryVelocity<D>>();
+  in.gravity = model.gravity;
+  in.dt = clock.dt;
+  in.kick = clock.kick();
+  in.fixed_bits = node_flag::fixed_any;
+  in.boundary_shift = node_flag::boundary_shift;
+  const NodeMotionOut<D> out{s.get<NodePosition<D>>(), s.get<NodeVelocity<D>>(),
+                             s.get_or_empty<NodeReaction<D>>(), work_};
+  node_motion(model.nodes(), in, out);
+}
+
+template <int D>
+StableStep Motion<D>::stable(const Model<D>& model, const Array<double>& stiffness,
+                             Factors factors, bool renew) const {
+  const Store& s = model.store;
+  StableStepIn<D> in;
+  in.elements = model.elements();
+  in.nodes = model.nodes();
+  in.element_nodes = s.get<ElementNodes<D>>();
+  in.x = s.get<NodePosition<D>>();
+  in.reference = s.get<ElementReference<D>>();
+  in.material = s.get<ElementMaterial>();
+  in.wave_speed = wave_speed_;
+  in.damping = damping_;
+  in.density = density_;
+  in.corners = s.get<NodeCorners>();
+  in.corner_list = s.get<CornerList>();
+  in.mass = s.get<NodeMass>();
+  in.stiffness = stiffness;
+  in.thickness = model.thickness;
+  in.factor_bulk = factors.bulk;
+  in.factor_springs = factors.springs;
+  in.rate = s.get<ElementRate>();
+  in.renew_rates = renew;
+  return stable_step(in);
+}
+
+template <int D>
+double Motion<D>::kinetic_energy(const Model<D>& model) const {
+  const auto v = model.store.template get<NodeVelocity<D>>();
+  const auto mass = model.store.template get<NodeMass>();
+  const ChunkSums<1> rows("breccia::motion::kinetic", chunks_of(model.nodes()));
+  for_each_summed<1>("breccia::motion::kinetic", model.nodes(), rows,
+                     KOKKOS_LAMBDA(Index n, Sums<1> & sum) {
+                       sum[0] += 0.5 * mass(n) * norm2(row<D>(v, n));
+                     });
+  return total_of(rows)[0];
+}
+
+template <int D>
+void Motion<D>::book_before(const Model<D>& model, Ledger& ledger) {
+  Store& s = const_cast<Model<D>&>(model).store;
+  s.add<NodeVelocityBefore<D>>(key());
+  Kokkos::deep_copy(s.get<NodeVelocityBefore<D>>(), s.get<NodeVelocity<D>>());
+  const Sums<kWorks> work = total_of(work_);
+  for (int k = 0; k < kWorks; ++k) ledger.work_middle[k] = work[k];
+}
+
+template <int D>
+void Motion<D>::book_after(const Model<D>& model, Ledger& ledger) const {
+  const auto before = model.store.template get<NodeVelocityBefore<D>>();
+  const auto v = model.store.template get<NodeVelocity<D>>();
+  const auto mass = model.store.template get<NodeMass>();
+  const ChunkSums<2> rows("breccia::motion::kinetic", chunks_of(model.nodes()));
+  for_each_summed<2>("breccia::motion::kinetic", model.nodes(), rows,
+                     KOKKOS_LAMBDA(Index n, Sums<2> & sum) {
+                       const Vec<D> now = row<D>(v, n);
+                       sum[0] += 0.5 * mass(n) * dot(row<D>(before, n), now);
+                       sum[1] += 0.5 * mass(n) * norm2(now);
+                     });
+  const Sums<2> kinetic = total_of(rows);
+  ledger.kinetic = kinetic[0];
+  ledger.kinetic_half = kinetic[1];
+  const Sums<kWorks> work = total_of(work_);
+  for (int k = 0; k < kWorks; ++k) {
+    ledger.work[k] = work[k];
+    ledger.work_middle[k] = 0.5 * (ledger.work_middle[k] + work[k]);
+  }
+}
+
+template <int D>
+void Motion<D>::archive(Archive& archive) {
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, work_);
+  std::vector<double> rows(host.data(), host.data() + host.size());
+  archive.numbers("motion.work", rows);
+  if (!archive.loading()) return;
+  work_ = ChunkSums<kWorks>("breccia::motion::work", rows.size() / kWorks);
+  const auto mirror = Kokkos::create_mirror_view(work_);
+  std::copy(rows.begin(), rows.end(), mirror.data());
+  Kokkos::deep_copy(work_, mirror);
+}
+
+template class Motion<2>;
+template class Motion<3>;
+
+}  // namespace breccia

@@ -1,0 +1,218 @@
+#include "modules/sensor/sensor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "base/mat.hpp"
+#include "loops/element_stress.hpp"
+#include "loops/sampling.hpp"
+#include "step/selection.hpp"
+
+namespace breccia {
+
+namespace {
+
+constexpr std::string_view kAxes = "xyz";
+
+/// Barycentric coordinates of `p` in an element of the reference mesh.
+template <int D>
+std::array<double, D + 1> barycentric(const Mesh<D>& mesh, Index element,
+                                      const std::vector<double>& p) {
+  const auto& nodes = mesh.element[element];
+  Mat<D> g;
+  Vec<D> from_first;
+  for (int i = 0; i < D; ++i) {
+    from_first[i] = p[i] - mesh.point[nodes[0]][i];
+    for (int j = 0; j < D; ++j) g(i, j) = mesh.point[nodes[j + 1]][i] - mesh.point[nodes[0]][i];
+  }
+  const Vec<D> rest = inverse(g) * from_first;
+  std::array<double, D + 1> bary{};
+  bary[0] = 1;
+  for (int j = 0; j < D; ++j) {
+    bary[j + 1] = rest[j];
+    bary[0] -= rest[j];
+  }
+  return bary;
+}
+
+template <int D>
+Sym<D> stress_at(const Model<D>& model, Index element) {
+  const Store& s = model.store;
+  const ElementStress<D> stress{
+      s.get<ElementNodes<D>>(), s.get<NodePosition<D>>(), s.get<ElementReference<D>>(),
+      s.get<ElementMaterial>(), s.get<MaterialLame>(),    model.thickness};
+  const Kokkos::View<Sym<D>, Memory> out("breccia::sensor::stress");
+  run_once(
+      "breccia::sensor::stress", KOKKOS_LAMBDA(Index) { out() = stress.cauchy(element); });
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, out)();
+}
+
+}  // namespace
+
+template <int D>
+void Sensor<D>::bind(Model<D>& model) {
+  resume(model);
+}
+
+template <int D>
+void Sensor<D>::resume(Model<D>& model) {
+  probes_.clear();
+  splits_ = -1;
+  for (const Settings& section : model.scene->list("sensor")) {
+    if (section.has("point"))
+      probes_.push_back(point(model, section));
+    else if (section.has("surface"))
+      probes_.push_back(surface(model, section));
+    else
+      probes_.push_back(reaction(model, section));
+  }
+}
+
+template <int D>
+auto Sensor<D>::point(const Model<D>& model, const Settings& section) const -> Probe {
+  const std::vector<double>& at = section.vector("point");
+  Probe probe{section.name(), Kind::point, kNone, {}, {}, {}, {}};
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (Index e = 0; e < model.elements(); ++e) {
+    const auto bary = barycentric(model.mesh, e, at);
+    const double inside = *std::min_element(bary.begin(), bary.end());
+    if (inside > deepest) {
+      deepest = inside;
+      probe.element = e;
+      probe.shares.assign(bary.begin(), bary.end());
+    }
+  }
+  if (deepest < -1e-6)
+    throw section.error("point", "the point lies in no body",
+                        "move it into a body; `breccia check` prints the extent of every body");
+  const auto& nodes = model.mesh.element[probe.element];
+  probe.families.assign(nodes.begin(), nodes.end());
+  return probe;
+}
+
+template <int D>
+auto Sensor<D>::surface(const Model<D>& model, const Settings& section) const -> Probe {
+  const Region& region = named_region(section, "surface", section.text("surface"), model.mesh);
+  Probe probe{section.name(), Kind::surface, kNone, region.points, {}, {}, {}};
+  probe.shares.assign(region.points.size(), 1.0 / static_cast<double>(region.points.size()));
+  return probe;
+}
+
+template <int D>
+auto Sensor<D>::reaction(const Model<D>& model, const Settings& section) const -> Probe {
+  const std::string& name = section.text("reaction");
+  Probe probe{section.name(), Kind::reaction, kNone, {}, {}, {}, {}};
+  for (const Settings& boundary : model.scene->list("boundary")) {
+    const bool named = boundary.has("name") && boundary.text("name") == name;
+    if (!named && !(boundary.has("where") && boundary.text("where") == name)) continue;
+    const Region region = select_region(boundary, model.mesh, model.topology);
+    probe.families.insert(probe.families.end(), region.points.begin(), region.points.end());
+  }
+  if (probe.families.empty())
+    probe.families = named_region(section, "reaction", name, model.mesh).points;
+  std::sort(probe.families.begin(), probe.families.end());
+  probe.families.erase(std::unique(probe.families.begin(), probe.families.end()),
+                       probe.families.end());
+  const auto flags = Kokkos::create_mirror_view_and_copy(
+      Kokkos::HostSpace{}, model.store.template get<NodeFlags>());
+  const bool held = std::any_of(probe.families.begin(), probe.families.end(), [&](Index n) {
+    return (flags(n) & node_flag::fixed_any) != 0;
+  });
+  if (!held)
+    throw section.error("reaction",
+                        fmt::format("nothing holds or moves '{}', so it has no reaction", name),
+                        "name a [[boundary]] with `velocity` or `fixed`, or a body that has one");
+  probe.shares.assign(probe.families.size(), 1.0);
+  return probe;
+}
+
+template <int D>
+void Sensor<D>::place_at_corners(const Model<D>& model, Probe& probe) const {
+  const auto nodes = Kokkos::create_mirror_view_and_copy(
+      Kokkos::HostSpace{}, model.store.template get<ElementNodes<D>>());
+  std::vector<Index> list;
+  for (int a = 0; a <= D; ++a) list.push_back(nodes(probe.element, a));
+  probe.nodes = to_device("breccia::sensor::nodes", list);
+  probe.weights = to_device("breccia::sensor::weights", probe.shares);
+}
+
+template <int D>
+void Sensor<D>::find_copies(const Model<D>& model) {
+  if (splits_ == model.splits) return;
+  splits_ = model.splits;
+  const auto family = Kokkos::create_mirror_view_and_copy(
+      Kokkos::HostSpace{}, model.store.template get<NodeFamily>());
+  std::vector<std::vector<Index>> copies(model.mesh.point.size());
+  for (Index n = 0; n < model.nodes(); ++n) copies[family(n)].push_back(n);
+  for (Probe& probe : probes_) {
+    if (probe.kind == Kind::point) {
+      place_at_corners(model, probe);
+      continue;
+    }
+    std::vector<Index> list;
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < probe.families.size(); ++i)
+      for (const Index n : copies[probe.families[i]]) {
+        list.push_back(n);
+        // The mean of a surface counts a point once however often it has split.
+        const auto number = static_cast<double>(copies[probe.families[i]].size());
+        weights.push_back(probe.kind == Kind::reaction ? 1.0 : probe.shares[i] / number);
+      }
+    probe.nodes = to_device("breccia::sensor::nodes", list);
+    probe.weights = to_device("breccia::sensor::weights", weights);
+  }
+}
+
+template <int D>
+void Sensor<D>::observe(Model<D>& model, const Clock&, Moment moment, Row& row) {
+  if (moment == Moment::before) find_copies(model);
+  for (const Probe& probe : probes_) {
+    if (moment == Moment::before)
+      before(model, probe, row);
+    else
+      after(model, probe, row);
+  }
+}
+
+template <int D>
+void Sensor<D>::before(Model<D>& model, const Probe& probe, Row& row) const {
+  const Store& s = model.store;
+  if (probe.kind == Kind::reaction) {
+    for (int d = 0; d < D; ++d) row.set(probe.name + "." + kAxes[d], 0);
+    return;
+  }
+  const Vec<D> u =
+      sample<D>(s.get<NodePosition<D>>(), probe.nodes, probe.weights) -
+      sample<D>(s.get<NodeReference<D>>(), probe.nodes, probe.weights);
+  const Vec<D> v = sample<D>(s.get<NodeVelocity<D>>(), probe.nodes, probe.weights);
+  for (int d = 0; d < D; ++d) row.set(probe.name + ".u" + kAxes[d], u[d]);
+  for (int d = 0; d < D; ++d) row.set(probe.name + ".v" + kAxes[d], v[d]);
+  if (probe.kind != Kind::point) return;
+  const Sym<D> sigma = stress_at(model, probe.element);
+  for (int i = 0; i < D; ++i)
+    for (int j = i; j < D; ++j)
+      row.set(probe.name + ".s" + kAxes[i] + kAxes[j], sigma(i, j));
+}
+
+template <int D>
+void Sensor<D>::after(Model<D>& model, const Probe& probe, Row& row) const {
+  const Store& s = model.store;
+  if (probe.kind == Kind::reaction) {
+    const Vec<D> force = sample<D>(s.get<NodeReaction<D>>(), probe.nodes, probe.weights);
+    for (int d = 0; d < D; ++d) row.set(probe.name + "." + kAxes[d], force[d]);
+    return;
+  }
+  const Vec<D> v = sample<D>(s.get<NodeVelocity<D>>(), probe.nodes, probe.weights);
+  for (int d = 0; d < D; ++d) {
+    const std::string column = probe.name + ".v" + kAxes[d];
+    row.set(column, 0.5 * (row.get(column) + v[d]));
+  }
+}
+
+template class Sensor<2>;
+template class Sensor<3>;
+
+}  // namespace breccia

@@ -1,0 +1,199 @@
+#include "scene/simulation.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "scene/catalog.hpp"
+#include "scene/model_builder.hpp"
+
+namespace breccia {
+
+namespace {
+
+/// Steps between two looks at the shapes of all elements.
+constexpr std::int64_t kRenewal = 50;
+
+/// Default shares of the stable step (ALGORITHMS ): less where springs with kinks act.
+constexpr double kFactorBulk = 0.9;
+constexpr double kFactorSprings = 0.5;
+
+}  // namespace
+
+template <int D>
+Simulation<D>::Simulation(const Settings& scene) : scene_(&scene) {
+  build_model(scene, model_);
+  modules_ = make_modules<D>(scene);
+  for (const auto& module : modules_)
+    if (auto* motion = dynamic_cast<Motion<D>*>(module.get())) motion_ = motion;
+  motion_->set_initial_velocity(initial_velocity(scene, model_));
+  for (const auto& module : modules_) module->declare(model_);
+  for (const auto& module : modules_) module->enlist(model_, plan_);
+  std::vector<std::string> initial;
+  for (const auto& block : model_.store.blocks()) initial.emplace_back(block.info.name);
+  plan_.finish(initial);
+
+  const Settings& run = scene.at("run");
+  fixed_step_ = run.has("step") ? run.number("step") : 0.0;
+  const bool given = run.has("step_factor");
+  factors_.bulk = given ? run.number("step_factor") : kFactorBulk;
+  factors_.springs = given ? run.number("step_factor") : kFactorSprings;
+}
+
+template <int D>
+void Simulation<D>::start() {
+  for (const auto& module : modules_) module->bind(model_);
+  const StableStep first = stable(true);
+  if (fixed_step_ > 0) {
+    const double limit = first.dt / (first.by_springs ? factors_.springs : factors_.bulk);
+    if (fixed_step_ > limit)
+      throw scene_->at("run").error(
+          "step", fmt::format("a step of {:.4g} s is not stable: the limit of this mesh is {:.4g} s",
+                              fixed_step_, limit),
+          fmt::format("leave run.step out, or take at most {:.4g} s", 0.9 * limit));
+  }
+  clock_.dt = fixed_step_ > 0 ? fixed_step_ : first.dt;
+  record(first);
+  model_.step_is_stale = false;
+  next_renewal_ = kRenewal;
+  kinetic_start_ = motion_->kinetic_energy(model_);
+  Ledger ledger;
+  for (const auto& module : modules_) module->book(model_, ledger);
+  stored_start_ = ledger.stored();
+}
+
+template <int D>
+StableStep Simulation<D>::stable(bool renew) {
+  const auto nodes = static_cast<std::size_t>(model_.store.capacity(Entity::node));
+  const bool springs = modules_.size() > 2;
+  if (springs && stiffness_.extent(0) < nodes)
+    stiffness_ = Array<double>("breccia::motion::stiffness", nodes);
+  if (springs) {
+    Kokkos::deep_copy(stiffness_, 0.0);
+    for (const auto& module : modules_) module->add_stiffness(model_, stiffness_);
+  }
+  return motion_->stable(model_, stiffness_, factors_, renew);
+}
+
+template <int D>
+void Simulation<D>::choose_step() {
+  const bool renew = clock_.step >= next_renewal_;
+  if (!renew && !model_.step_is_stale) return;
+  const auto begin = std::chrono::steady_clock::now();
+  Tally tally;
+  current_tally = &tally;
+  const StableStep now = stable(renew);
+  current_tally = nullptr;
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  plan_.book("motion", seconds.count(), tally.launches);
+  if (renew) next_renewal_ = clock_.step + kRenewal;
+  model_.step_is_stale = false;
+  if (fixed_step_ > 0) {
+    const double limit = now.dt / (now.by_springs ? factors_.springs : factors_.bulk);
+    if (fixed_step_ > limit && !model_.stop.raised) {
+      model_.stop.raised = true;
+      model_.stop.cause = fmt::format(
+          "at time {:.6g} s (step {}) the fixed step of {:.4g} s is above the stability limit of "
+          "{:.4g} s, which has fallen since the start; leave run.step out or take a smaller one",
+          clock_.time, clock_.step, fixed_step_, limit);
+    }
+    return;
+  }
+  // Falls at once; rises slowly and only when it is worth it (ALGORITHMS ).
+  if (now.dt < clock_.dt) {
+    clock_.dt = now.dt;
+  } else if (renew && now.dt > 1.02 * clock_.dt) {
+    clock_.dt = std::min(now.dt, 1.1 * clock_.dt);
+  }
+  record(now);
+}
+
+template <int D>
+void Simulation<D>::record(const StableStep& stable) {
+  if (record_.min > 0 && clock_.dt >= record_.min) {
+    record_.max = std::max(record_.max, clock_.dt);
+    return;
+  }
+  record_.min = clock_.dt;
+  record_.max = std::max(record_.max, clock_.dt);
+  if (fixed_step_ > 0) {
+    record_.set_by = "run.step";
+    return;
+  }
+  const auto x = model_.store.template get<NodePosition<D>>();
+  const auto one = Kokkos::create_mirror_view_and_copy(
+      Kokkos::HostSpace{},
+      Kokkos::subview(x, std::make_pair(stable.node, stable.node + 1), Kokkos::ALL));
+  std::string place;
+  for (int d = 0; d < D; ++d) place += fmt::format("{}{:.5g}", d ? ", " : "", one(0, d));
+  record_.set_by = fmt::format("{} at ({}) m",
+                               stable.by_springs ? "interface or contact springs" : "elements",
+                               place);
+}
+
+template <int D>
+void Simulation<D>::step(double end, const Watchers& watchers) {
+  plan_.run(Stage::search, Stage::split, clock_);
+  choose_step();
+  const double whole = clock_.dt;
+  // The last step ends on time; a sliver of a step is joined to the one before it.
+  if (clock_.time + 1.000001 * clock_.dt >= end) clock_.dt = end - clock_.time;
+  if (watchers.before) watchers.before();
+  plan_.run(Stage::assemble, Stage::observe, clock_);
+  if (watchers.after) watchers.after();
+  clock_.time += clock_.dt;
+  clock_.dt_before = clock_.dt;
+  clock_.dt = whole;
+  ++clock_.step;
+}
+
+template <int D>
+void Simulation<D>::book_before(Ledger& ledger) {
+  ledger.kinetic_start = kinetic_start_;
+  ledger.stored_start = stored_start_;
+  for (const auto& module : modules_) module->book(model_, ledger);
+  motion_->book_before(model_, ledger);
+}
+
+template <int D>
+void Simulation<D>::book_after(Ledger& ledger) {
+  motion_->book_after(model_, ledger);
+}
+
+template <int D>
+Counts Simulation<D>::counts() {
+  Counts counts;
+  for (const auto& module : modules_) module->count(model_, counts);
+  return counts;
+}
+
+template <int D>
+void Simulation<D>::archive(Archive& archive) {
+  archive.integer("clock.step", clock_.step);
+  archive.number("clock.time", clock_.time);
+  archive.number("clock.dt", clock_.dt);
+  archive.number("clock.dt_before", clock_.dt_before);
+  archive.number("step.min", record_.min);
+  archive.number("step.max", record_.max);
+  archive.integer("step.next_renewal", next_renewal_);
+  archive.integer("model.splits", model_.splits);
+  archive.integer("model.releases", model_.releases);
+  std::int64_t stale = model_.step_is_stale ? 1 : 0;
+  archive.integer("model.step_is_stale", stale);
+  model_.step_is_stale = stale != 0;
+  archive.number("ledger.kinetic_start", kinetic_start_);
+  archive.number("ledger.stored_start", stored_start_);
+  for (const auto& module : modules_) module->archive(archive);
+}
+
+template <int D>
+void Simulation<D>::resume() {
+  for (const auto& module : modules_) module->resume(model_);
+}
+
+template class Simulation<2>;
+template class Simulation<3>;
+
+}  // namespace breccia

@@ -1,0 +1,79 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "modules/motion/motion.hpp"
+#include "step/module.hpp"
+
+namespace breccia {
+
+/// Extremes of the step length of a run and who set the smallest.
+struct StepRecord {
+  double min = 0, max = 0;
+  std::string set_by;
+};
+
+/// A scene as a running system: the model, its modules in the order of the one list
+/// (catalog.hpp), their plan, and the clock. The only step of the code is `Simulation::step`.
+template <int D>
+class Simulation {
+ public:
+  /// Meshes the bodies, allocates the fields of the modules that the scene calls for.
+  /// Throws Error where the scene cannot be built.
+  explicit Simulation(const Settings& scene);
+
+  /// Fills the state at t = 0 and chooses the first step. Throws Error when a step that the
+  /// user fixed is not stable.
+  void start();
+
+  /// Called between the last force and the motion of a step; then after the motion.
+  struct Watchers {
+    std::function<void()> before;
+    std::function<void()> after;
+  };
+  /// One step, no longer than to `end`.
+  void step(double end, const Watchers& watchers);
+
+  /// Reads or writes everything that is not in the store.
+  void archive(Archive& archive);
+  /// After the store and the archive have been filled from a checkpoint.
+  void resume();
+
+  /// Energies at t^n: call the first before, the second after the motion.
+  void book_before(Ledger& ledger);
+  void book_after(Ledger& ledger);
+
+  Model<D>& model() { return model_; }
+  const Model<D>& model() const { return model_; }
+  Motion<D>& motion() { return *motion_; }
+  Plan& plan() { return plan_; }
+  const Clock& clock() const { return clock_; }
+  const StepRecord& step_record() const { return record_; }
+  const std::vector<std::unique_ptr<Module<D>>>& modules() const { return modules_; }
+  const Settings& scene() const { return *scene_; }
+  Counts counts();
+
+  /// Stable step now, with the factors of the scene.
+  StableStep stable(bool renew);
+
+ private:
+  void choose_step();
+  void record(const StableStep& stable);
+
+  const Settings* scene_;
+  Model<D> model_;
+  std::vector<std::unique_ptr<Module<D>>> modules_;
+  Motion<D>* motion_ = nullptr;
+  Plan plan_;
+  Clock clock_;
+  StepRecord record_;
+  double fixed_step_ = 0;   ///< s; 0: automatic
+  typename Motion<D>::Factors factors_{};
+  double kinetic_start_ = 0, stored_start_ = 0;
+  std::int64_t next_renewal_ = 0;
+  Array<double> stiffness_;
+};
+
+}  // namespace breccia
