@@ -1,0 +1,80 @@
+#include "point/cohesive_onset.hpp"
+
+#include "base/mat.hpp"
+#include "point/stress_watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace breccia {
+namespace {
+
+constexpr double kMu = 1.19;
+const CohesiveOnset kOnset{8e6, 24e6, kMu, 0.95, false};
+const CohesiveOnset kElliptic{8e6, 24e6, kMu, 0.95, true};
+
+double measure(const CohesiveOnset& onset, double t_n, double t_s) {
+  return onset.measure<2>({{t_n, t_s}}, {{1, 0}});
+}
+
+TEST(CohesiveOnset, CutOffAndFriction) {
+  EXPECT_NEAR(measure(kOnset, 8e6, 0), 1, 1e-15);
+  EXPECT_NEAR(measure(kOnset, 0, 24e6), 1, 1e-15);
+  EXPECT_NEAR(measure(kOnset, -10e6, 24e6 + kMu * 10e6), 1, 1e-15);
+  EXPECT_NEAR(measure(kElliptic, 8e6, 0), 1, 1e-15);
+  EXPECT_NEAR(measure(kElliptic, -10e6, 24e6 + kMu * 10e6), 1, 1e-15);
+  EXPECT_NEAR(measure(kElliptic, 4e6, 0.6 * (24e6 - kMu * 4e6)), std::hypot(0.5, 0.6), 1e-15);
+  EXPECT_LT(measure(kOnset, -50e6, 10e6), 0);
+  EXPECT_TRUE(kOnset.reached<2>({{7.7e6, 0}}, {{1, 0}}));
+  EXPECT_FALSE(kOnset.reached<2>({{7.5e6, 0}}, {{1, 0}}));
+}
+
+TEST(CohesiveOnset, MeasureIsContinuousThroughZeroNormalTraction) {
+  for (const double t_s : {1e6, 10e6, 24e6})
+    for (const auto& onset : {kOnset, kElliptic})
+      EXPECT_NEAR(measure(onset, 1e-3, t_s), measure(onset, -1e-3, t_s), 1e-9);
+}
+
+// The prefilter of the element loop must never miss a plane.
+template <int D>
+void check_watch(const CohesiveOnset& onset, const StressWatch& watch, bool tight) {
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> gauss;
+  double nearest = 0;
+  for (int i = 0; i < 4000; ++i) {
+    Sym<D> sigma;
+    for (double& s : sigma.s) s = 1e7 * gauss(random);
+    for (int d = 0; d < D; ++d) sigma.s[d] -= 1e7 * (i % 3);
+    double worst = -1e30;
+    for (int k = 0; k < 400; ++k) {
+      Vec<D> n;
+      for (int d = 0; d < D; ++d) n[d] = gauss(random);
+      n *= 1 / norm(n);
+      worst = std::max(worst, onset.measure<D>(sigma * n, n) / onset.alpha);
+    }
+    const double reach = watch.reach(sigma);
+    if (worst >= 1) {
+      ASSERT_GE(reach, 1);
+    }
+    if (worst > 0.1) nearest = std::max(nearest, worst / reach);
+  }
+  if (tight) {
+    EXPECT_GT(nearest, 0.99);
+  }
+}
+
+TEST(CohesiveOnset, WatchNeverMissesAPlane) {
+  const StressWatch watch{1 / (0.95 * 8e6), 1 / (0.95 * 24e6), kMu};
+  check_watch<2>(kOnset, watch, true);
+  check_watch<3>(kOnset, watch, false);
+  // Elliptic: both shares at 1/sqrt(2), friction at alpha (modules/fracture/fracture_laws.cpp).
+  const double share = 0.95 / std::sqrt(2.0);
+  const StressWatch early{1 / (share * 8e6), 1 / (share * 24e6), 0.95 * kMu};
+  check_watch<2>(kElliptic, early, false);
+  check_watch<3>(kElliptic, early, false);
+}
+
+}  // namespace
+}  // namespace breccia
