@@ -53,9 +53,11 @@ Content measure(const std::string& path, const std::string& shown) {
 
 // The word after `key` on its own line of the header; empty when there is none.
 std::string_view field(std::string_view header, std::string_view key) {
-  const auto line = header.find("\n" + std::string(key) + " ");
+  std::string lead = "\n";
+  lead.append(key).append(" ");
+  const auto line = header.find(lead);
   if (line == std::string_view::npos) return {};
-  const auto start = line + key.size() + 2;
+  const auto start = line + lead.size();
   return header.substr(start, header.find('\n', start) - start);
 }
 

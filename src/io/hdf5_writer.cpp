@@ -30,8 +30,15 @@ void abandon(hid_t file) {
   H5Eclear2(H5E_DEFAULT);
 }
 
-Handle creation_list(const ArrayView& array, const H5Storage& storage) {
+// Without the time of writing, so that equal content gives equal files.
+Handle timeless_list() {
   Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(list, false);
+  return list;
+}
+
+Handle creation_list(const ArrayView& array, const H5Storage& storage) {
+  Handle list = timeless_list();
   H5Pset_fill_time(list, H5D_FILL_TIME_NEVER);
   if (storage.deflate <= 0 || array.count() == 0) return list;
   // About a megabyte per chunk: large enough to compress well, small enough for HDF5's chunk cache.
@@ -103,8 +110,8 @@ void H5Writer::write(const std::string& name, const ArrayView& array, const H5St
 void H5Writer::write_text(const std::string& name, std::string_view text) {
   const std::string padded = text.empty() ? std::string(1, '\0') : std::string(text);
   const Handle type = h5::text_type(text.size()), space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle links = with_groups();
-  const Handle set(H5Dcreate2(file_, name.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT),
+  const Handle links = with_groups(), creation = timeless_list();
+  const Handle set(H5Dcreate2(file_, name.c_str(), type, space, links, creation, H5P_DEFAULT),
                    H5Dclose);
   if (set < 0 || H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()) < 0) {
     throw h5::stack_error(aside_.target(), "write text '" + name + "'");

@@ -52,12 +52,36 @@ std::vector<T> in_space(std::span<const T> plane) {
   return space;
 }
 
-void write_array(H5Writer& file, const std::string& group, const FrameArray& array) {
+// Where VTK's components xx, yy, zz, xy, yz, xz of a symmetric tensor stand in ours; -1: not given.
+std::array<int, 6> tensor_order(int components) {
+  if (components == 3) return {0, 1, -1, 2, -1, -1};
+  if (components == 4) return {0, 1, 3, 2, -1, -1};
+  return {0, 1, 2, 5, 3, 4};
+}
+
+template <class T>
+std::vector<T> as_tensors(std::span<const T> values, int components) {
+  const std::array<int, 6> order = tensor_order(components);
+  const auto c = static_cast<std::size_t>(components);
+  std::vector<T> tensors(values.size() / c * 6, T(0));
+  for (std::size_t i = 0; i < tensors.size(); ++i) {
+    const int from = order[i % 6];
+    if (from >= 0) tensors[i] = values[i / 6 * c + static_cast<std::size_t>(from)];
+  }
+  return tensors;
+}
+
+void write_array(H5Writer& file, const std::string& group, const FrameArray& array, int dimension) {
   const std::string name = group + "/" + array.name;
+  const int components = array.components;
+  const bool tensor = components == 6 || (dimension == 2 && (components == 3 || components == 4));
   const auto write = [&]<class T>(std::span<const T> values) {
-    const auto c = static_cast<std::size_t>(array.components);
+    const auto c = static_cast<std::size_t>(components);
     if (c == 1) {
       file.write(name, view_of(values));
+    } else if (tensor) {
+      const std::vector<T> tensors = as_tensors(values, components);
+      file.write(name, view_of(tensors, {tensors.size() / 6, 6}));
     } else if (c == 2) {
       const std::vector<T> space = in_space(values);
       file.write(name, view_of(space, {space.size() / 3, 3}));
@@ -142,8 +166,10 @@ void write_frame(const std::string& path, const Frame& frame) {
   write_cells(file, frame);
   file.group("VTKHDF/PointData");
   file.group("VTKHDF/CellData");
-  for (const FrameArray& array : frame.point_arrays) write_array(file, "VTKHDF/PointData", array);
-  for (const FrameArray& array : frame.cell_arrays) write_array(file, "VTKHDF/CellData", array);
+  for (const FrameArray& array : frame.point_arrays)
+    write_array(file, "VTKHDF/PointData", array, frame.dimension);
+  for (const FrameArray& array : frame.cell_arrays)
+    write_array(file, "VTKHDF/CellData", array, frame.dimension);
   file.write("VTKHDF/FieldData/time", view_of(std::array{frame.time}));
   file.write("VTKHDF/FieldData/step", view_of(std::array{frame.step}));
   file.attribute("VTKHDF", "dimension", std::array<std::int64_t, 1>{frame.dimension});

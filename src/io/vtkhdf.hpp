@@ -13,9 +13,10 @@ enum class CellType : std::uint8_t { vertex = 1, line = 3, triangle = 5, tetrahe
 
 int corners_of(CellType type);
 
-/// A named array over points or cells, entity by entity. Two components are a plane vector and are
-/// written with a zero third one, because VTK's glyphs and warps want three; symmetric tensors come
-/// as xx, yy, zz, xy, yz, xz.
+/// A named array over points or cells, entity by entity. What it is follows from its components:
+/// D are a vector, written with three; 3 in the plane (xx, yy, xy), 4 in the plane (xx, yy, xy, zz)
+/// and 6 (xx, yy, zz, yz, xz, xy: the order of Sym) are a symmetric tensor, written in VTK's order
+/// xx, yy, zz, xy, yz, xz with zeros for what is not given; all others are written as they are.
 struct FrameArray {
   std::string name;
   std::string unit;  ///< kept as attribute "unit" of the data set; pictures print it
@@ -30,7 +31,7 @@ struct Frame {
   std::span<const double> points;              ///< [m]; written with three components
   CellType cell = CellType::tetrahedron;       ///< all cells are of one kind
   std::span<const std::int32_t> connectivity;  ///< corners, cell by cell
-  std::vector<FrameArray> point_arrays, cell_arrays;
+  std::vector<FrameArray> point_arrays = {}, cell_arrays = {};
   double time = 0;        ///< [s]; FieldData "time"
   std::int64_t step = 0;  ///< FieldData "step"
 };

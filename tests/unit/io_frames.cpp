@@ -132,7 +132,7 @@ TEST(IoFrames, RestartedSeriesEqualsTheUninterruptedOne) {
     FrameSeries second(part.path(), known);
     EXPECT_EQ(part.entries("frames"), static_cast<std::size_t>(kept + std::max(0, kept - 2)));
     run(second, kept, 6);
-    EXPECT_EQ(contents(part), contents(whole)) << kept;
+    EXPECT_TRUE(contents(part) == contents(whole)) << kept;
   }
 }
 

@@ -52,7 +52,7 @@ TEST(IoReport, JsonHasEveryKeyOfTheSpecification) {
                           "reference",    "tolerance", "pass",     "peak_memory_bytes",
                           "state_hash",   "version",   "release",  "commit",
                           "build"}) {
-    EXPECT_THAT(json, HasSubstr("\"" + std::string(key) + "\": ")) << key;
+    EXPECT_THAT(json, HasSubstr(std::string("\"").append(key).append("\": "))) << key;
   }
   EXPECT_THAT(json, HasSubstr("\"res_2\": null"));
   EXPECT_THAT(json, HasSubstr("\"IE_elastic\": 3"));
