@@ -74,6 +74,7 @@ bool Range::limited() const {
 std::string Range::text(Dimension dimension) const {
   const bool from = low != Range{}.low, to = high != Range{}.high;
   const std::string lower = limit_text(low, dimension), upper = limit_text(high, dimension);
+  if (low == high) return "only " + lower;
   if (from && to && !open_low && !open_high) return "from " + lower + " to " + upper;
   const std::string first = open_low ? "above " + lower : "at least " + lower;
   const std::string second = open_high ? "below " + upper : "at most " + upper;

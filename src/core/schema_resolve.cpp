@@ -126,7 +126,9 @@ class Resolver {
 
   void absent(const Section& section, const Config& raw, const std::string& path, Settings& out) {
     if (section.required) {
-      problems_->add(raw.place().file, path + ": the scene has no " + section.title(),
+      const bool top = section.parent.empty();
+      problems_->add(top ? raw.place().file : raw.place().text(),
+                     path + (top ? ": the scene has no " + section.title() : ": is missing"),
                      section.page());
     }
     if (!section.always || section.kind != Section::Kind::single) return;

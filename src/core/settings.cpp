@@ -25,7 +25,9 @@ const Settings::Value* Settings::value(std::string_view key) const {
   for (const auto& v : values_) {
     if (v.key == key) return &v;
   }
-  return nullptr;
+  const auto dot = key.rfind('.');
+  if (dot == std::string_view::npos || !has(key.substr(0, dot))) return nullptr;
+  return at(key.substr(0, dot)).value(key.substr(dot + 1));
 }
 
 const Settings::Group* Settings::find_group(std::string_view word) const {

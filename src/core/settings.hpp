@@ -58,6 +58,7 @@ class Settings {
   /// True when the user wrote the key or section (in the scene or with --set).
   [[nodiscard]] bool given(std::string_view path) const;
 
+  // Dots lead into inner sections here too: `material.number("elastic.young")`.
   [[nodiscard]] bool flag(std::string_view key) const;
   [[nodiscard]] std::int64_t integer(std::string_view key) const;
   [[nodiscard]] double number(std::string_view key) const;

@@ -1,0 +1,182 @@
+#include "app/command_line.hpp"
+
+#include "app/info.hpp"
+#include "core/error.hpp"
+#include "core/log.hpp"
+#include "core/schema.hpp"
+#include "scene/commands.hpp"
+
+#include <Kokkos_Core.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <new>
+#include <optional>
+
+namespace breccia {
+
+namespace {
+
+constexpr int user_error = 2;
+constexpr int stopped = 1;
+
+/// Everything the command line can say.
+struct Arguments {
+  std::filesystem::path scene, mesh_file;
+  std::optional<std::filesystem::path> output;
+  std::vector<std::string> options;
+  std::string key;
+  int threads = 0;  ///< 0: all that the machine or OMP_NUM_THREADS offers
+  bool overwrite = false, restart = false, quiet = false, markdown = false;
+};
+
+int with_kokkos(const Arguments& arguments, const std::function<int()>& work) {
+  Kokkos::InitializationSettings settings;
+  if (arguments.threads > 0) settings.set_num_threads(arguments.threads);
+  settings.set_disable_warnings(true);  // they speak of OMP_PROC_BIND to people who do not know it
+  const Kokkos::ScopeGuard kokkos(settings);
+  return work();
+}
+
+int help(const Arguments& arguments) {
+  Schema schema;
+  declare_schema(schema);
+  if (arguments.markdown) {
+    schema.markdown(std::cout);
+  } else {
+    std::cout << (arguments.key.empty() ? schema.overview() : schema.help(arguments.key));
+  }
+  return 0;
+}
+
+int info(const Arguments& arguments) {
+  return with_kokkos(arguments, [] {
+    std::cout << info_text();
+    return 0;
+  });
+}
+
+int run(const Arguments& a) {
+  if (a.overwrite && a.restart) {
+    throw Error("breccia run", "--overwrite and --restart exclude each other",
+                "--restart goes on from the checkpoint, --overwrite begins anew");
+  }
+  log::set_quiet(a.quiet);
+  const RunRequest request{a.scene, a.options, a.output, a.overwrite, a.restart, a.quiet};
+  return with_kokkos(a, [&request] { return run_scene(request); });
+}
+
+int check(const Arguments& a) {
+  return with_kokkos(a, [&a] { return check_scene({a.scene, a.options}); });
+}
+
+int mesh(const Arguments& a) {
+  return with_kokkos(a, [&a] { return mesh_scene({a.scene, a.options, a.mesh_file}); });
+}
+
+/// Options that take one value each, so that a scene may follow them.
+void add_common(CLI::App& verb, Arguments& a) {
+  verb.add_option("SCENE", a.scene, "scene file, or folder with a scene.toml")->required();
+  verb.add_option("--set", a.options, "replace a value of the scene, key.path=value (repeatable)")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
+  verb.add_option("--threads", a.threads, "number of threads")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+}
+
+void declare_run_verb(CLI::App& app, Arguments& a, std::function<int(const Arguments&)>& chosen) {
+  CLI::App* verb = app.add_subcommand("run", "run a scene");
+  add_common(*verb, a);
+  verb->add_option("--output", a.output, "folder for the results (default: <scene name>.out)")
+      ->type_name("DIR");
+  verb->add_flag("--overwrite", a.overwrite, "replace the results of an earlier run");
+  verb->add_flag("--restart", a.restart, "go on from the checkpoint in the output folder");
+  verb->add_flag("--quiet", a.quiet, "print warnings and errors only");
+  verb->callback([&chosen] { chosen = run; });
+}
+
+void declare_verbs(CLI::App& app, Arguments& a, std::function<int(const Arguments&)>& chosen) {
+  declare_run_verb(app, a, chosen);
+  CLI::App* check_verb = app.add_subcommand("check", "say what a scene would do; run nothing");
+  add_common(*check_verb, a);
+  check_verb->callback([&chosen] { chosen = check; });
+
+  CLI::App* help_verb = app.add_subcommand("help", "explain a key of the scene, or list them");
+  help_verb->add_option("KEY", a.key, "for example run.duration or material");
+  help_verb->add_flag("--markdown", a.markdown, "all keys, as docs/input.md");
+  help_verb->callback([&chosen] { chosen = help; });
+
+  CLI::App* mesh_verb = app.add_subcommand("mesh", "write the mesh of a scene");
+  add_common(*mesh_verb, a);
+  mesh_verb->add_option("-o,--output", a.mesh_file, "file to write: .h5 or .msh")
+      ->required()
+      ->type_name("FILE");
+  mesh_verb->callback([&chosen] { chosen = mesh; });
+
+  CLI::App* info_verb = app.add_subcommand("info", "version, backends, optional parts");
+  info_verb->callback([&chosen] { chosen = info; });
+}
+
+/// CLI11 has a status of its own for every mistake; ours is 2 for all, 0 for --help and --version.
+int parse_failed(const CLI::App& app, const CLI::ParseError& e, const World& world) {
+  const bool asked = e.get_exit_code() == 0;
+  if (asked) {
+    if (world.speaks()) app.exit(e);
+    return 0;
+  }
+  if (world.speaks()) {
+    log::error(Error("command line", e.what(), "see breccia --help").what());
+  }
+  return user_error;
+}
+
+int guarded(const std::function<int()>& work, const World& world) {
+  const auto say = [&world](const std::string& text) {
+    if (world.speaks()) log::error(text);
+  };
+  try {
+    return work();
+  } catch (const Error& e) {
+    say(e.what());
+    return user_error;
+  } catch (const std::filesystem::filesystem_error& e) {
+    say(Error(e.path1().string(), e.code().message()).what());
+    return user_error;
+  } catch (const std::bad_alloc&) {
+    say("out of memory\n  use fewer elements, or a machine with more memory; breccia check tells "
+        "how much a scene needs");
+    return stopped;
+  } catch (const std::exception& e) {
+    say(std::string("internal error: ") + e.what() + "\n  this is a defect of breccia; please " +
+        "report it with the scene and this line: " + version_line());
+    return stopped;
+  }
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv, const World& world) {
+  CLI::App app{"breccia: solids that deform, break and collide", "breccia"};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", version_line());
+  Arguments arguments;
+  std::function<int(const Arguments&)> chosen;
+  declare_verbs(app, arguments, chosen);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return parse_failed(app, e, world);
+  }
+  return guarded(
+      [&] {
+        world.require_one_rank();
+        return chosen(arguments);
+      },
+      world);
+}
+
+}  // namespace breccia

@@ -1,0 +1,208 @@
+#include "scene/schema_general.hpp"
+
+#include "scene/schema_rules.hpp"
+
+namespace breccia {
+
+namespace {
+
+void declare_top(Schema& schema) {
+  auto s = schema.top().doc("What the scene is about. Every scene begins with these three.");
+  s.text("title").doc("The problem in one line.").example("Brazilian disc, granite, 50 mm");
+  s.text("reference").doc("Where problem and data come from.").example("ISRM suggested method");
+  s.text("expected")
+      .doc("What a right result looks like.")
+      .example("one diametral crack; 2P/(pi D t) at the peak is the tensile strength");
+}
+
+void declare_run(Schema& schema) {
+  auto s = schema.section("run").required().always().doc("How long, in how many dimensions.");
+  s.integer("dimension").between(2, 3).required().doc("Dimensions of space.").example("2");
+  s.choice("plane", {"strain", "stress"})
+      .only_in(2)
+      .by_default("strain")
+      .doc("Plane strain, or plane stress for thin plates.");
+  s.number("thickness", unit::length)
+      .only_in(2)
+      .above(0)
+      .by_default("1 m")
+      .doc("Extent out of the plane; forces, masses and energies are for it.");
+  s.number("duration", unit::time).above(0).required().doc("Time to simulate.").example("1.2 ms");
+  s.number("step_factor", unit::none)
+      .above(0)
+      .at_most(1)
+      .doc("Time step as a share of the stable one; chosen by what the scene contains if absent.")
+      .example("0.8");
+  s.number("step", unit::time)
+      .above(0)
+      .doc("A fixed time step, refused where it is above the stable one.")
+      .example("50 ns");
+  s.at_most_one_of({"step", "step_factor"});
+  s.choice("precision", {"double", "mixed"}).by_default("double").doc("Arithmetic of the loops.");
+  s.integer("seed")
+      .between(0, 2147483647)
+      .by_default(1)
+      .doc("Seed of everything random; the same seed gives the same bits.");
+}
+
+void declare_materials(Schema& schema) {
+  auto s = schema.section("material.*")
+               .required()
+               .effect("solid")
+               .doc("A material; [[body]] material names it.");
+  s.number("density", unit::density)
+      .above(0)
+      .required()
+      .doc("Mass per volume.")
+      .example("2650 kg/m3");
+  s.number("damping", unit::none)
+      .between(0, 2)
+      .by_default(0.0)
+      .doc("Kelvin damping as a share of critical at the highest mode of each element.")
+      .example("0.02");
+  auto elastic = schema.section("material.*.elastic").required().doc("Isotropic elasticity.");
+  elastic.number("young", unit::pressure)
+      .above(0)
+      .required()
+      .doc("Young's modulus.")
+      .example("60 GPa");
+  elastic.number("poisson", unit::none)
+      .above(-1)
+      .below(0.5)
+      .required()
+      .doc("Poisson's ratio.")
+      .example("0.25");
+}
+
+void declare_gravity(Schema& schema) {
+  auto s = schema.section("gravity").effect("gravity").doc("A uniform acceleration of all bodies.");
+  s.vector("acceleration", unit::acceleration)
+      .required()
+      .doc("The acceleration.")
+      .example("[0, \"-9.81 m/s2\"]");
+}
+
+void declare_boundary_places(Schema& schema) {
+  auto plane = schema.section("boundary[].plane").doc("Nodes and free faces on a plane.");
+  plane.vector("point", unit::length)
+      .required()
+      .doc("A point of the plane.")
+      .example("[0, \"10 mm\"]");
+  plane.vector("normal", unit::none).required().doc("Its normal, of any length.").example("[0, 1]");
+  plane.number("tolerance", unit::length)
+      .above(0)
+      .doc("Distance that still counts; a millionth of the scene's extent if absent.")
+      .example("1 um");
+  auto box = schema.section("boundary[].box").doc("Nodes and free faces inside a box.");
+  box.vector("lower", unit::length).required().doc("Lowest corner.").example("[0, 0]");
+  box.vector("upper", unit::length)
+      .required()
+      .doc("Highest corner.")
+      .example("[\"1 mm\", \"50 mm\"]");
+}
+
+void declare_boundaries(Schema& schema) {
+  auto s = schema.section("boundary[]")
+               .effect("boundary")
+               .doc("What holds, moves or loads a part of the scene.");
+  s.text("name").unique().doc("A name, for [[sensor]] reaction and messages.").example("foot");
+  s.text("where")
+      .doc("A body, or a region of a mesh such as \"disc.rim\".")
+      .example("upper platen");
+  s.vector("velocity", unit::velocity)
+      .components_may_be("free")
+      .doc("Prescribed velocity; a free component moves as the forces tell.")
+      .example("[0, \"-0.1 m/s\"]");
+  s.vector("fixed", unit::length)
+      .between(0, 0)
+      .components_may_be("free")
+      .doc("Components that do not move (0) and those that may (\"free\").")
+      .example("[\"free\", 0]");
+  s.vector("traction", unit::pressure)
+      .doc("Force per reference area on the free faces there.")
+      .example("[0, \"-2 MPa\"]");
+  s.number("pressure", unit::pressure)
+      .doc("Pressure on the free faces there, following them; positive pushes.")
+      .example("3 MPa");
+  s.number("ramp", unit::time)
+      .above(0)
+      .doc("Time of a smooth rise from zero to the full value.")
+      .example("0.1 ms");
+  s.table("table", unit::time, unit::none)
+      .doc("Rows [time, factor] that the value is multiplied by, linear between the rows.")
+      .example("[[0, 0], [\"0.1 ms\", 1], [\"1 ms\", 0]]");
+  s.exactly_one_of({"where", "plane", "box"});
+  s.exactly_one_of({"velocity", "fixed", "traction", "pressure"});
+  s.at_most_one_of({"ramp", "table"});
+  declare_boundary_places(schema);
+}
+
+void declare_sensors(Schema& schema) {
+  auto s = schema.section("sensor[]").effect("sensor").doc("What history.csv records.");
+  s.text("name")
+      .required()
+      .unique()
+      .identifier()
+      .doc("Front of its columns: load.x, load.y; [[check]] speaks of them.")
+      .example("load");
+  s.vector("point", unit::length)
+      .doc("Displacement, velocity and stress at a material point.")
+      .example("[0, \"25 mm\"]");
+  s.text("surface").doc("Mean displacement and velocity of a region or body.").example("disc.rim");
+  s.text("reaction")
+      .doc("Force that a boundary (by its name or `where`) or body exerts on the scene.")
+      .example("upper platen");
+  s.exactly_one_of({"point", "surface", "reaction"});
+}
+
+void declare_output(Schema& schema) {
+  auto s = schema.section("output").always().doc("What is written, and how often.");
+  s.integer("frames").between(0, 100000).by_default(20).doc(
+      "Pictures of the whole state, evenly over the run, besides the first one.");
+  s.number("history", unit::time)
+      .above(0)
+      .doc("Interval between two rows of history.csv; a thousandth of the duration if absent.")
+      .example("1 us");
+  s.texts("fields")
+      .doc("Fields of the frames; all that the effects offer if absent.")
+      .example("[\"velocity\", \"stress\"]");
+  s.number("checkpoint", unit::time)
+      .above(0)
+      .by_default("10 min")
+      .doc("Wall-clock time between two checkpoints.");
+}
+
+void declare_checks(Schema& schema) {
+  auto s = schema.section("check[]").doc(
+      "A result that the run is held against; exit status 3 when one fails.");
+  s.text("name").required().unique().doc("What is checked.").example("tensile strength");
+  s.formula("value")
+      .required()
+      .doc("Expression of sensors, energies and counts.")
+      .example("2 * peak(abs(load.y)) / (pi * 50 mm)");
+  s.formula("reference").required().doc("The value it should have.").example("8 MPa");
+  s.formula("tolerance")
+      .required()
+      .doc("Largest difference: with % a share of the reference, else in the value's unit.")
+      .example("10 %");
+  s.text("source").doc("Where the reference comes from.").example("d'Alembert's solution");
+}
+
+}  // namespace
+
+void declare_general_keys(Schema& schema) {
+  declare_top(schema);
+  declare_run(schema);
+  declare_body_keys(schema);
+  declare_materials(schema);
+  declare_gravity(schema);
+  declare_boundaries(schema);
+  declare_sensors(schema);
+  declare_output(schema);
+  declare_checks(schema);
+  schema.check(check_run_rules);
+  schema.check(check_body_rules);
+  schema.check(check_place_rules);
+}
+
+}  // namespace breccia

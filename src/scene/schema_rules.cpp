@@ -1,0 +1,137 @@
+// Rules between several keys, for scenes whose keys are each right.
+#include "scene/schema_rules.hpp"
+
+#include "core/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace breccia {
+
+namespace {
+
+bool is_zero(const std::vector<double>& v) {
+  return std::all_of(v.begin(), v.end(), [](double x) { return x == 0; });
+}
+
+void check_direction(const Settings& section, const char* key, Problems& problems) {
+  if (is_zero(section.vector(key))) {
+    problems.add(section.error(key, "has no direction; every component is zero"));
+  }
+}
+
+/// Keys that only one generator or one dimension knows.
+void check_generator(const Settings& body, int dimension, Problems& problems) {
+  const Settings& mesh = body.at("mesh");
+  const bool structured = mesh.text("generator") == "structured";
+  const bool brick = body.has("shape.rectangle") || body.has("shape.box");
+  for (const char* key : {"pattern", "cells", "jitter"}) {
+    if (structured || !mesh.has(key)) continue;
+    problems.add(mesh.error(key, "is for a structured mesh", "add generator = \"structured\""));
+  }
+  if (!structured) return;
+  if (!brick) {
+    problems.add(mesh.error("generator", "only a rectangle or a box has a structured mesh",
+                            "leave generator out: Gmsh meshes every shape"));
+  }
+  for (const char* word : {"refine", "embed"}) {
+    if (!mesh.has(word)) continue;
+    problems.add(mesh.error("generator", std::string("a structured mesh cannot have ") + word,
+                            "leave generator out: Gmsh can"));
+  }
+  if (mesh.has("cells") && mesh.integers("cells").size() != static_cast<std::size_t>(dimension)) {
+    problems.add(mesh.error("cells", std::to_string(mesh.integers("cells").size()) +
+                                         " numbers for " + std::to_string(dimension) +
+                                         " dimensions"));
+  }
+  const std::string pattern = mesh.text_or("pattern", "");
+  const bool of_space = pattern == "kuhn" || pattern == "five";
+  if (!pattern.empty() && of_space != (dimension == 3)) {
+    problems.add(mesh.error(
+        "pattern", "\"" + pattern + "\" is for " + (of_space ? "three" : "two") + " dimensions",
+        dimension == 2 ? "in the plane: cross, right, union-jack" : "in space: kuhn, five"));
+  }
+}
+
+void check_mesh(const Settings& body, int dimension, Problems& problems) {
+  const Settings& mesh = body.at("mesh");
+  const bool file = body.has("shape.file");
+  const std::string fitting = dimension == 2 ? "tri3" : "tet4";
+  if (mesh.text_or("element", fitting) != fitting) {
+    problems.add(mesh.error("element",
+                            "\"" + mesh.text("element") +
+                                "\" does not fit run.dimension = " + std::to_string(dimension),
+                            "write \"" + fitting + "\" or leave it out"));
+  }
+  if (!file && !mesh.has("size") && !mesh.has("cells")) {
+    problems.add(body.error("mesh.size", "is missing (length)", "for example: size = \"0.5 mm\""));
+  }
+  check_generator(body, dimension, problems);
+}
+
+void check_shape(const Settings& body, Problems& problems) {
+  const Settings& shape = body.at("shape");
+  if (shape.has("region") && !shape.has("file")) {
+    problems.add(shape.error("region", "a region is taken from a file, and there is none"));
+  }
+  if (shape.has("cylinder")) check_direction(shape.at("cylinder"), "axis", problems);
+  if (!shape.has("polygon")) return;
+  const Settings& polygon = shape.at("polygon");
+  const auto check_outline = [&](const char* key, const Points& outline) {
+    if (outline.size() >= 3) return;
+    problems.add(
+        polygon.error(key, std::to_string(outline.size()) + " points; an outline has 3 or more"));
+  };
+  check_outline("points", polygon.points("points"));
+  if (!polygon.has("holes")) return;
+  for (const auto& hole : polygon.lines("holes")) check_outline("holes", hole);
+}
+
+}  // namespace
+
+void check_run_rules(const Settings& scene, Problems& problems) {
+  const Settings& run = scene.at("run");
+  if (run.text("precision") == "mixed") {
+    problems.add(run.error("precision", "\"mixed\" is not available in this release",
+                           "leave it out: everything is computed in double"));
+  }
+  const double duration = run.number("duration");
+  if (run.has("step") && run.number("step") > duration) {
+    problems.add(run.error("step", number_text(run.number("step")) +
+                                       " s is longer than the run (duration " +
+                                       number_text(duration) + " s)"));
+  }
+  const Settings& output = scene.at("output");
+  if (output.has("history") && output.number("history") > duration) {
+    problems.add(output.error("history",
+                              number_text(output.number("history")) +
+                                  " s is longer than the run (duration " + number_text(duration) +
+                                  " s)",
+                              "history.csv would have no rows but the first and last"));
+  }
+}
+
+void check_body_rules(const Settings& scene, Problems& problems) {
+  const int dimension = static_cast<int>(scene.at("run").integer("dimension"));
+  for (const Settings& body : scene.list("body")) {
+    check_shape(body, problems);
+    check_mesh(body, dimension, problems);
+  }
+}
+
+void check_place_rules(const Settings& scene, Problems& problems) {
+  for (const Settings& boundary : scene.list("boundary")) {
+    if (boundary.has("plane")) check_direction(boundary.at("plane"), "normal", problems);
+    if (!boundary.has("box")) continue;
+    const Settings& box = boundary.at("box");
+    const auto &lower = box.vector("lower"), &upper = box.vector("upper");
+    for (std::size_t d = 0; d < lower.size(); ++d) {
+      if (lower[d] <= upper[d]) continue;
+      problems.add(box.error("upper", number_text(upper[d]) + " m is below lower, " +
+                                          number_text(lower[d]) + " m, along " + "xyz"[d]));
+      break;
+    }
+  }
+}
+
+}  // namespace breccia
