@@ -45,8 +45,8 @@ struct MeshFile {
 using Shape = std::variant<Rectangle, Disc, Polygon, Box, Ball, Cylinder, MeshFile>;
 
 /// Element size `size` within `radius` of `at` (third coordinate unused in the plane), growing
-/// linearly to the body's own size over `transition` (0: as far as the sizes differ by, a growth of
-/// one per unit length).
+/// linearly to the body's own size over `transition` (m; 0: so far that the size grows by 0.3 per
+/// unit length).
 struct Refinement {
   std::array<double, 3> at{};
   double radius = 0;
@@ -61,6 +61,10 @@ struct EmbeddedLine {
   std::vector<Point<2>> points;
 };
 
+/// How Gmsh lays triangles out. `irregular` has edges in all directions alike, as fracture needs;
+/// `regular` has better triangles, but nearly all edges in three directions (docs/method/mesh.md).
+enum class Arrangement { irregular, regular };
+
 /// One body as the scene describes it. Lengths in m.
 struct BodyShape {
   std::string name;
@@ -71,6 +75,8 @@ struct BodyShape {
   std::vector<EmbeddedLine> lines;
   std::optional<Pattern> pattern;  ///< rectangle and box: structured grid instead of Gmsh
   double jitter = 0;               ///< of the structured grid
+  Arrangement arrangement = Arrangement::irregular;  ///< of a part: its first body's
+  int seed = 1;                                      ///< other seeds give other meshes
 };
 
 /// Reads a mesh in Breccia's own format, which io can and mesh cannot (hdf5.h has its door there).

@@ -31,7 +31,7 @@ void build_families(const Mesh<D>& mesh, Topology<D>& topology) {
 /// The rotation that maps the left face onto the right one, or -1 when both wind the same way.
 template <int D>
 int find_rotation(const Mesh<D>& mesh, const ElementFace& left, const ElementFace& right) {
-  for (int rotation = 0; rotation < D; ++rotation) {
+  for (int rotation = D == 2 ? 1 : 0; rotation < D; ++rotation) {
     bool match = true;
     for (int i = 0; i < D; ++i) {
       const int j = opposite_face_node<D>(rotation, i);

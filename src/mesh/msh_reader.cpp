@@ -1,0 +1,218 @@
+#include "mesh/msh_reader.hpp"
+
+#include "mesh/refusal.hpp"
+#include "mesh/text_scanner.hpp"
+
+#include <limits>
+#include <map>
+#include <unordered_map>
+
+namespace breccia {
+namespace {
+
+constexpr long long kMost = std::numeric_limits<Index>::max();
+
+/// Dimension of a Gmsh element type that we take, or -1.
+int dimension_of_type(long long type) {
+  switch (type) {
+    case 15:
+      return 0;
+    case 1:
+      return 1;
+    case 2:
+      return 2;
+    case 4:
+      return 3;
+    default:
+      return -1;
+  }
+}
+
+class MshReader {
+ public:
+  explicit MshReader(const std::string& path) : in_(path) {}
+
+  RawMesh read() {
+    bool nodes = false;
+    bool elements = false;
+    while (!in_.at_end()) {
+      const std::string section(in_.word());
+      if (section.size() < 2 || section[0] != '$') in_.fail("a section ($...) should begin here");
+      if (section == "$MeshFormat") {
+        version_ = in_.number();
+      } else if (section == "$PhysicalNames") {
+        read_names();
+      } else if (section == "$Entities") {
+        read_entities();
+      } else if (section == "$Nodes") {
+        version_ < 4 ? read_nodes2() : read_nodes4();
+        nodes = true;
+      } else if (section == "$Elements") {
+        if (!nodes) in_.fail("$Elements comes before $Nodes");
+        version_ < 4 ? read_elements2() : read_elements4();
+        elements = true;
+      }
+      in_.skip_past("$End" + section.substr(1));
+    }
+    if (!nodes || !elements) in_.fail("the file has no $Nodes or no $Elements");
+    finish_groups();
+    return std::move(raw_);
+  }
+
+ private:
+  using Key = std::pair<int, long long>;  // dimension and tag
+
+  void read_names() {
+    const long long count = in_.integer(0, kMost, "number of names");
+    for (long long n = 0; n < count; ++n) {
+      const int dimension = static_cast<int>(in_.integer(0, 3, "dimension"));
+      const long long tag = in_.integer();
+      names_[{dimension, tag}] = in_.word();
+    }
+  }
+
+  void read_entities() {
+    std::array<long long, 4> count;
+    for (auto& n : count) n = in_.integer(0, kMost, "number of entities");
+    for (int dimension = 0; dimension < 4; ++dimension) {
+      for (long long n = 0; n < count[dimension]; ++n) {
+        const long long tag = in_.integer();
+        for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) in_.number();
+        auto& groups = physical_[{dimension, tag}];
+        groups.resize(in_.integer(0, 1000000, "number of groups"));
+        for (auto& g : groups) g = std::abs(in_.integer());
+        if (dimension == 0) continue;
+        const long long bounds = in_.integer(0, kMost, "number of boundaries");
+        for (long long i = 0; i < bounds; ++i) in_.integer();
+      }
+    }
+  }
+
+  void add_point(long long tag, const Point<3>& x) {
+    if (!number_.emplace(tag, static_cast<Index>(raw_.point.size())).second) {
+      in_.fail("node " + std::to_string(tag) + " is listed twice");
+    }
+    raw_.point.push_back(x);
+  }
+
+  Point<3> position() {
+    const double x = in_.number();
+    const double y = in_.number();
+    return {x, y, in_.number()};
+  }
+
+  void read_nodes2() {
+    const long long count = in_.integer(1, kMost, "number of nodes");
+    for (long long n = 0; n < count; ++n) {
+      const long long tag = in_.integer();
+      add_point(tag, position());
+    }
+  }
+
+  void read_nodes4() {
+    const long long blocks = in_.integer(1, kMost, "number of blocks");
+    for (int i = 0; i < 3; ++i) in_.integer();  // nodes in all, smallest and largest tag
+    for (long long b = 0; b < blocks; ++b) {
+      const int dimension = static_cast<int>(in_.integer(0, 3, "dimension"));
+      in_.integer();  // entity
+      const bool parametric = in_.integer(0, 1, "parametric flag") == 1;
+      std::vector<long long> tags(in_.integer(0, kMost, "number of nodes"));
+      for (auto& tag : tags) tag = in_.integer();
+      for (long long tag : tags) {
+        add_point(tag, position());
+        for (int i = 0; parametric && i < dimension; ++i) in_.number();
+      }
+    }
+  }
+
+  Index add_element(int dimension) {
+    RawElement element{dimension, {}};
+    for (int a = 0; a <= dimension; ++a) {
+      const long long tag = in_.integer();
+      const auto found = number_.find(tag);
+      if (found == number_.end()) {
+        in_.fail("an element uses node " + std::to_string(tag) + ", which does not exist");
+      }
+      element.point[a] = found->second;
+    }
+    raw_.element.push_back(element);
+    return static_cast<Index>(raw_.element.size() - 1);
+  }
+
+  int element_dimension() {
+    const long long type = in_.integer();
+    const int dimension = dimension_of_type(type);
+    if (dimension >= 0) return dimension;
+    refuse(in_.path(), "it has elements of Gmsh type " + std::to_string(type),
+           "mesh with first-order triangles or tetrahedra only");
+  }
+
+  void read_elements2() {
+    const long long count = in_.integer(1, kMost, "number of elements");
+    for (long long n = 0; n < count; ++n) {
+      in_.integer();  // tag
+      const int dimension = element_dimension();
+      const long long tags = in_.integer(0, 1000, "number of tags");
+      long long group = 0;
+      for (long long t = 0; t < tags; ++t) {
+        const long long tag = in_.integer();
+        if (t == 0) group = std::abs(tag);
+      }
+      const Index e = add_element(dimension);
+      if (group != 0) groups_[{dimension, group}].push_back(e);
+    }
+  }
+
+  void read_elements4() {
+    const long long blocks = in_.integer(1, kMost, "number of blocks");
+    for (int i = 0; i < 3; ++i) in_.integer();  // elements in all, smallest and largest tag
+    for (long long b = 0; b < blocks; ++b) {
+      in_.integer(0, 3, "dimension");
+      const long long entity = in_.integer();
+      const int dimension = element_dimension();
+      const long long count = in_.integer(0, kMost, "number of elements");
+      const auto found = physical_.find({dimension, entity});
+      for (long long n = 0; n < count; ++n) {
+        in_.integer();  // tag
+        const Index e = add_element(dimension);
+        if (found == physical_.end()) continue;
+        for (long long group : found->second) groups_[{dimension, group}].push_back(e);
+      }
+    }
+  }
+
+  void finish_groups() {
+    for (auto& [key, elements] : groups_) {
+      const auto name = names_.find(key);
+      raw_.groups.push_back({key.first,
+                             name == names_.end() ? std::to_string(key.second) : name->second,
+                             std::move(elements)});
+    }
+  }
+
+  TextScanner in_;
+  double version_ = 0;
+  RawMesh raw_;
+  std::unordered_map<long long, Index> number_;
+  std::map<Key, std::string> names_;
+  std::map<Key, std::vector<long long>> physical_;
+  std::map<Key, std::vector<Index>> groups_;
+};
+
+}  // namespace
+
+bool is_ascii_msh(const std::string& path) {
+  TextScanner in(path);
+  if (in.at_end() || in.word() != "$MeshFormat") {
+    refuse(path, "it is not a Gmsh mesh file", "give a .msh, .geo or .h5 mesh file");
+  }
+  const double version = in.number();
+  const long long binary = in.integer(0, 1, "file type");
+  return binary == 0 && ((version >= 2 && version < 3) || version == 4.1);
+}
+
+RawMesh read_msh(const std::string& path) {
+  return MshReader(path).read();
+}
+
+}  // namespace breccia
