@@ -23,6 +23,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   list(APPEND breccia_warning_flags -Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict
        -Wno-stringop-overflow -Wno-array-bounds)
 endif()
+if(BRECCIA_CUDA)
+  # Names that nvcc makes up for the host compiler.
+  list(APPEND breccia_warning_flags -Wno-unused-local-typedefs)
+endif()
 if(BRECCIA_WARNINGS_AS_ERRORS)
   list(APPEND breccia_warning_flags -Werror)
 endif()

@@ -9,6 +9,7 @@ set_property(GLOBAL PROPERTY BRECCIA_LEFT_OUT "")
 set_property(GLOBAL PROPERTY BRECCIA_SUMMARY "")
 
 function(breccia_left_out target why)
+  string(REPLACE ";" ", " why "${why}")
   set_property(GLOBAL APPEND PROPERTY BRECCIA_LEFT_OUT ${target})
   set_property(GLOBAL APPEND PROPERTY BRECCIA_SUMMARY "left out: ${target} (${why})")
 endfunction()
