@@ -26,12 +26,10 @@ void surface_load(const SurfaceLoadIn<D>& in, const CornerForces<D>& force) {
         for (Index k = in.faces(i, 0); k < in.faces(i, 1); ++k) {
           const BoundaryLaw<D>& law = in.law(in.face_law(k));
           Vec<D> x[D];
-          for (int j = 0; j < D; ++j)
-            x[j] = row<D>(in.x, in.nodes(e, face_node<D>(in.face(k), j)));
+          for (int j = 0; j < D; ++j) x[j] = row<D>(in.x, in.nodes(e, face_node<D>(in.face(k), j)));
           const double factor = law.ramp.factor(in.time, in.table) / D;
-          const Vec<D> share = (law.value * in.area(k) -
-                                area_vector(x) * (law.pressure * in.thickness)) *
-                               factor;
+          const Vec<D> share =
+              (law.value * in.area(k) - area_vector(x) * (law.pressure * in.thickness)) * factor;
           for (int j = 0; j < D; ++j) f[face_node<D>(in.face(k), j)] += share;
         }
         for (int a = 0; a <= D; ++a)

@@ -36,7 +36,7 @@ struct SurfaceLoadIn {
   ConstRanges faces;                           ///< per loaded element: stretch of the lists below
   Kokkos::View<const Index*, Memory> face;     ///< local face
   Kokkos::View<const Index*, Memory> face_law;
-  Kokkos::View<const double*, Memory> area;    ///< reference area, for tractions, m2
+  Kokkos::View<const double*, Memory> area;  ///< reference area, for tractions, m2
   double thickness;
   double time;
 };
@@ -52,11 +52,13 @@ extern template void surface_load<2>(const SurfaceLoadIn<2>&, const CornerForces
 extern template void surface_load<3>(const SurfaceLoadIn<3>&, const CornerForces<3>&);
 
 /// Outward normal times area of a face from its node positions (m, or m2 in space).
-KOKKOS_INLINE_FUNCTION Vec<2> area_vector(const Vec<2> (&x)[2]) {
+KOKKOS_INLINE_FUNCTION
+Vec<2> area_vector(const Vec<2> (&x)[2]) {
   const Vec<2> edge = x[1] - x[0];
   return {edge[1], -edge[0]};
 }
-KOKKOS_INLINE_FUNCTION Vec<3> area_vector(const Vec<3> (&x)[3]) {
+KOKKOS_INLINE_FUNCTION
+Vec<3> area_vector(const Vec<3> (&x)[3]) {
   return cross(x[1] - x[0], x[2] - x[0]) * 0.5;
 }
 

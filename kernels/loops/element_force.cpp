@@ -14,7 +14,8 @@ struct ElementForceLoop {
   ElementForceOut<D> out;
 
   /// Elements first ... first + W - 1 of the block.
-  KOKKOS_FUNCTION void operator()(Index first, Sums<1>& viscous) const {
+  KOKKOS_FUNCTION
+  void operator()(Index first, Sums<1>& viscous) const {
     const Index last = in.end - 1;
     Vec<D, R> x[D + 1];
     gather(in.nodes, in.x, first, last, x);
@@ -36,13 +37,15 @@ struct ElementForceLoop {
   }
 
  private:
-  KOKKOS_FORCEINLINE_FUNCTION static R dot_columns(const Mat<D, R>& a, const Mat<D, R>& b) {
+  KOKKOS_FORCEINLINE_FUNCTION
+  static R dot_columns(const Mat<D, R>& a, const Mat<D, R>& b) {
     R s = a(0, 0) * b(0, 0);
     for (int j = 1; j < D; ++j) s = s + a(0, j) * b(0, j);
     return s;
   }
 
-  KOKKOS_FORCEINLINE_FUNCTION void report(Index first, const R& jacobian) const {
+  KOKKOS_FORCEINLINE_FUNCTION
+  void report(Index first, const R& jacobian) const {
     if (!any(!(jacobian > R(in.smallest_jacobian)))) return;
     double j[W];
     store(jacobian, j);
@@ -51,8 +54,8 @@ struct ElementForceLoop {
         Kokkos::atomic_min(&out.bad(0), first + l);
   }
 
-  KOKKOS_FORCEINLINE_FUNCTION void watch(Index first, const Sym<D, R>& tau,
-                                         const R& jacobian) const {
+  KOKKOS_FORCEINLINE_FUNCTION
+  void watch(Index first, const Sym<D, R>& tau, const R& jacobian) const {
     const R reach = in.watch.reach(tau) / jacobian;
     double r[W];
     store(reach, r);
@@ -62,9 +65,9 @@ struct ElementForceLoop {
 
   /// tau_v = beta (lambda tr(d) 1 + 2 mu d) with d the rate of deformation and beta such that
   /// the element's highest mode is damped by the given fraction of critical.
-  KOKKOS_FORCEINLINE_FUNCTION Sym<D, R> damp(Index first, Index last, const Mat<D, R>& cofactors,
-                                             const R& det, const R& jacobian,
-                                             Sums<1>& viscous) const {
+  KOKKOS_FORCEINLINE_FUNCTION
+  Sym<D, R> damp(Index first, Index last, const Mat<D, R>& cofactors, const R& det,
+                 const R& jacobian, Sums<1>& viscous) const {
     Vec<D, R> v[D + 1];
     gather(in.nodes, in.v, first, last, v);
     const Mat<D, R> h = edges<D, R>(v) * transpose(cofactors);  // velocity gradient times det
@@ -93,8 +96,8 @@ struct ElementForceLoop {
   }
 
   /// V0 g_a = (thickness / D!) / J times the cofactors of the edge matrix.
-  KOKKOS_FORCEINLINE_FUNCTION void put(Index first, const Sym<D, R>& tau,
-                                       const Mat<D, R>& cofactors, const R& jacobian) const {
+  KOKKOS_FORCEINLINE_FUNCTION
+  void put(Index first, const Sym<D, R>& tau, const Mat<D, R>& cofactors, const R& jacobian) const {
     const R scale = R(-in.thickness / kFactorial<D>) / jacobian;
     double f[D + 1][D][W];
     Vec<D, R> rest = Vec<D, R>::zero();
@@ -119,8 +122,9 @@ template <class Loop>
 void launch(const Loop& loop, Index begin, Index end, const ChunkSums<1>& viscous) {
   constexpr int kWidth = Loop::W;
   if constexpr (kOnDevice) {
-    for_each_summed<1>("breccia::solid::element_force", end - begin, viscous,
-                       KOKKOS_LAMBDA(Index i, Sums<1> & sums) { loop(begin + i, sums); });
+    for_each_summed<1>(
+        "breccia::solid::element_force", end - begin, viscous,
+        KOKKOS_LAMBDA(Index i, Sums<1> & sums) { loop(begin + i, sums); });
   } else {
     const Index n = end - begin;
     count_launch();

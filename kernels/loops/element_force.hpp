@@ -10,16 +10,16 @@ namespace breccia {
 template <int D>
 struct ElementForceIn {
   ConstConnectivity<D> nodes;
-  ConstVectors<D> x;        ///< m, at t^n
-  ConstVectors<D> v;        ///< m/s, at t^(n-1/2); read only where damping > 0
+  ConstVectors<D> x;  ///< m, at t^n
+  ConstVectors<D> v;  ///< m/s, at t^(n-1/2); read only where damping > 0
   ConstMatrices<D> reference;
-  Index begin, end;         ///< elements of the block
+  Index begin, end;  ///< elements of the block
   HenckyElastic law;
-  double wave_speed;        ///< sqrt(P-wave modulus / density), m/s
-  double damping;           ///< fraction of critical at each element's highest mode
-  double kick;              ///< s, for the dissipated energy
-  double thickness;         ///< m, 1 in 3D
-  double smallest_jacobian; ///< elements below it are reported
+  double wave_speed;         ///< sqrt(P-wave modulus / density), m/s
+  double damping;            ///< fraction of critical at each element's highest mode
+  double kick;               ///< s, for the dissipated energy
+  double thickness;          ///< m, 1 in 3D
+  double smallest_jacobian;  ///< elements below it are reported
   StressWatch watch;
 };
 

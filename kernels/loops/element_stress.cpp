@@ -5,8 +5,9 @@ namespace breccia {
 template <int D>
 double strain_energy(const ElementStress<D>& stress, Index n) {
   const ChunkSums<1> rows("breccia::solid::strain_energy", chunks_of(n));
-  for_each_summed<1>("breccia::solid::strain_energy", n, rows,
-                     KOKKOS_LAMBDA(Index e, Sums<1> & sum) { sum[0] += stress.energy(e); });
+  for_each_summed<1>(
+      "breccia::solid::strain_energy", n, rows,
+      KOKKOS_LAMBDA(Index e, Sums<1> & sum) { sum[0] += stress.energy(e); });
   return total_of(rows)[0];
 }
 

@@ -16,11 +16,11 @@ struct ElementStress {
   ConstVectors<2> lame;  ///< lambda, mu of each material, Pa
   double thickness = 1;
 
-  KOKKOS_FUNCTION HenckyElastic law(Index e) const {
-    return {lame(material(e), 0), lame(material(e), 1)};
-  }
+  KOKKOS_FUNCTION
+  HenckyElastic law(Index e) const { return {lame(material(e), 0), lame(material(e), 1)}; }
 
-  KOKKOS_FUNCTION Sym<D> strain(Index e, double& jacobian) const {
+  KOKKOS_FUNCTION
+  Sym<D> strain(Index e, double& jacobian) const {
     Vec<D> at[D + 1];
     gather(nodes, x, e, e, at);
     Mat<D> inverse_edges;
@@ -32,14 +32,16 @@ struct ElementStress {
   }
 
   /// Elastic Cauchy stress, Pa.
-  KOKKOS_FUNCTION Sym<D> cauchy(Index e) const {
+  KOKKOS_FUNCTION
+  Sym<D> cauchy(Index e) const {
     double jacobian;
     const Sym<D> eps = strain(e, jacobian);
     return law(e).kirchhoff(eps) * (1 / jacobian);
   }
 
   /// Reference volume, m3 (area times thickness in the plane).
-  KOKKOS_FUNCTION double volume(Index e) const {
+  KOKKOS_FUNCTION
+  double volume(Index e) const {
     Mat<D> inverse_edges;
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j) inverse_edges(i, j) = reference(e, i, j);
@@ -47,7 +49,8 @@ struct ElementStress {
   }
 
   /// Strain energy, J.
-  KOKKOS_FUNCTION double energy(Index e) const {
+  KOKKOS_FUNCTION
+  double energy(Index e) const {
     double jacobian;
     const Sym<D> eps = strain(e, jacobian);
     return law(e).energy(eps) * volume(e);

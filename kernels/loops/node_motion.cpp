@@ -9,7 +9,8 @@ struct NodeMotionLoop {
   NodeMotionIn<D> in;
   NodeMotionOut<D> out;
 
-  KOKKOS_FUNCTION void operator()(Index n, Sums<kWorks>& work) const {
+  KOKKOS_FUNCTION
+  void operator()(Index n, Sums<kWorks>& work) const {
     const Index begin = in.corners(n, 0), end = in.corners(n, 1);
     const std::uint32_t flags = in.flags(n);
     const double m = in.mass(n);
@@ -40,8 +41,8 @@ struct NodeMotionLoop {
   }
 
  private:
-  KOKKOS_FORCEINLINE_FUNCTION Vec<D> gather(const ConstCornerForces<D>& force, Index begin,
-                                            Index end) const {
+  KOKKOS_FORCEINLINE_FUNCTION
+  Vec<D> gather(const ConstCornerForces<D>& force, Index begin, Index end) const {
     Vec<D> f = Vec<D>::zero();
     for (Index k = begin; k < end; ++k) {
       const double* corner = force.data() + static_cast<std::ptrdiff_t>(in.corner_list(k)) * D;
@@ -50,8 +51,9 @@ struct NodeMotionLoop {
     return f;
   }
 
-  KOKKOS_FUNCTION void hold(Index n, std::uint32_t flags, double m, const Vec<D>& v,
-                            const Vec<D>& total, Vec<D>& v_new, Vec<D>& reaction) const {
+  KOKKOS_FUNCTION
+  void hold(Index n, std::uint32_t flags, double m, const Vec<D>& v, const Vec<D>& total,
+            Vec<D>& v_new, Vec<D>& reaction) const {
     const auto boundary = static_cast<Index>(flags >> in.boundary_shift);
     for (int d = 0; d < D; ++d) {
       if ((flags & in.fixed_bits & (1u << d)) == 0) continue;

@@ -1,8 +1,8 @@
 #pragma once
-#include <cstdint>
-
 #include "base/sums.hpp"
 #include "base/views.hpp"
+
+#include <cstdint>
 
 namespace breccia {
 
@@ -23,8 +23,8 @@ struct NodeMotionIn {
   Kokkos::View<const std::uint32_t*, Memory> flags;
   Kokkos::View<const double*, Memory> mass;
   ConstVectors<D> boundary_velocity;
-  Vec<D> gravity;  ///< m/s2
-  double dt, kick; ///< s
+  Vec<D> gravity;            ///< m/s2
+  double dt, kick;           ///< s
   std::uint32_t fixed_bits;  ///< mask of the prescribed components in `flags`
   int boundary_shift;
 };
@@ -32,8 +32,8 @@ struct NodeMotionIn {
 template <int D>
 struct NodeMotionOut {
   Vectors<D> x, v;
-  Vectors<D> reaction;       ///< N; empty where nothing is prescribed
-  ChunkSums<kWorks> work;    ///< J, adds this step's work of every force class
+  Vectors<D> reaction;     ///< N; empty where nothing is prescribed
+  ChunkSums<kWorks> work;  ///< J, adds this step's work of every force class
 };
 
 /// Gathers the forces of each node in corner order and moves it:

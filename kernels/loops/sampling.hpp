@@ -9,9 +9,7 @@ template <int D>
 Vec<D> sample(const ConstVectors<D>& field, const Array<Index>& nodes,
               const Array<double>& weights);
 
-extern template Vec<2> sample<2>(const ConstVectors<2>&, const Array<Index>&,
-                                 const Array<double>&);
-extern template Vec<3> sample<3>(const ConstVectors<3>&, const Array<Index>&,
-                                 const Array<double>&);
+extern template Vec<2> sample<2>(const ConstVectors<2>&, const Array<Index>&, const Array<double>&);
+extern template Vec<3> sample<3>(const ConstVectors<3>&, const Array<Index>&, const Array<double>&);
 
 }  // namespace breccia

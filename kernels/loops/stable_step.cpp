@@ -8,7 +8,8 @@ namespace {
 
 /// omega_e^2 times the mass at one of its corners, N/m.
 template <int D>
-KOKKOS_FUNCTION double element_rate(const StableStepIn<D>& in, Index e) {
+KOKKOS_FUNCTION
+double element_rate(const StableStepIn<D>& in, Index e) {
   Vec<D> x[D + 1];
   gather(in.element_nodes, in.x, e, e, x);
   const Mat<D> g = edges<D, double>(x);
@@ -31,8 +32,8 @@ KOKKOS_FUNCTION double element_rate(const StableStepIn<D>& in, Index e) {
   const Index material = in.material(e);
   const double speed = in.wave_speed(material), xi = in.damping(material);
   const double slow = Kokkos::sqrt(1 + xi * xi) - xi;
-  const double corner_mass = in.density(material) * in.thickness /
-                             (kFactorial<D> * (D + 1) * determinant(reference));
+  const double corner_mass =
+      in.density(material) * in.thickness / (kFactorial<D> * (D + 1) * determinant(reference));
   return speed * speed * (D + 1) * heights / (slow * slow) * corner_mass;
 }
 

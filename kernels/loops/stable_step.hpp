@@ -31,8 +31,8 @@ struct StableStepIn {
 };
 
 struct StableStep {
-  double dt = 0;          ///< s
-  Index node = 0;         ///< node that sets it
+  double dt = 0;   ///< s
+  Index node = 0;  ///< node that sets it
   bool by_springs = false;
 };
 

@@ -17,7 +17,8 @@ namespace breccia {
 /// eq:solid-1  ln V in the plane: V = (B + J 1) / sqrt(tr B + 2 J), then with m = tr V / 2 and q
 /// the ratio of the deviator's radius to m, ln V = ln(J)/2 1 + (atanh q / q) dev V / m.
 template <class R>
-KOKKOS_FUNCTION Sym<2, R> hencky_strain(const Sym<2, R>& b, const R& jacobian) {
+KOKKOS_FUNCTION
+Sym<2, R> hencky_strain(const Sym<2, R>& b, const R& jacobian) {
   const R two_m = square_root(b.s[0] + b.s[1] + R(2) * jacobian);
   const R four_over = R(1) / (two_m * two_m);
   const R half = R(0.5) * (b.s[0] - b.s[1]);
@@ -34,12 +35,14 @@ inline constexpr int kTerms = 14;
 inline constexpr double kReach = 0.08;
 
 /// ln V = (ln B) / 2 by eigenvalues (cyclic Jacobi), for stretches beyond the series.
-KOKKOS_FUNCTION Sym<3> by_eigenvalues(const Sym<3>& b);
+KOKKOS_FUNCTION
+Sym<3> by_eigenvalues(const Sym<3>& b);
 
 /// Z with ln V = X Z, Z = sum_k Y^k / (2k + 1), Y = X^2, summed by Horner's rule in the basis
 /// {1, Y, Y^2} with the Cayley-Hamilton theorem.
 template <class R>
-KOKKOS_FUNCTION Sym<3, R> series_factor(const Sym<3, R>& y) {
+KOKKOS_FUNCTION
+Sym<3, R> series_factor(const Sym<3, R>& y) {
   const Sym<3, R> y2 = commuting_product(y, y);
   const R i1 = trace(y);
   const R i2 = R(0.5) * (i1 * i1 - trace(y2));
@@ -62,7 +65,8 @@ KOKKOS_FUNCTION Sym<3, R> series_factor(const Sym<3, R>& y) {
 
 /// eq:solid-2  ln V in space: X = (B - 1)(B + 1)^-1 = tanh(ln V), so ln V = atanh X.
 template <class R>
-KOKKOS_FUNCTION Sym<3, R> hencky_strain(const Sym<3, R>& b, const R& /*jacobian*/) {
+KOKKOS_FUNCTION
+Sym<3, R> hencky_strain(const Sym<3, R>& b, const R& /*jacobian*/) {
   Mat<3, R> a;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) a(i, j) = i == j ? b(i, j) + R(1) : b(i, j);
@@ -92,7 +96,8 @@ struct HenckyElastic {
 
   /// eq:solid-3  tau = lambda tr(eps) 1 + 2 mu eps
   template <int D, class R>
-  KOKKOS_FUNCTION Sym<D, R> kirchhoff(const Sym<D, R>& eps) const {
+  KOKKOS_FUNCTION
+  Sym<D, R> kirchhoff(const Sym<D, R>& eps) const {
     const R p = R(lambda) * trace(eps);
     Sym<D, R> tau = eps * R(2 * mu);
     for (int i = 0; i < D; ++i) tau.s[i] = tau.s[i] + p;
@@ -101,14 +106,16 @@ struct HenckyElastic {
 
   /// eq:solid-4  w = lambda tr(eps)^2 / 2 + mu eps : eps
   template <int D, class R>
-  KOKKOS_FUNCTION R energy(const Sym<D, R>& eps) const {
+  KOKKOS_FUNCTION
+  R energy(const Sym<D, R>& eps) const {
     const R t = trace(eps);
     return R(0.5 * lambda) * t * t + R(mu) * contract(eps, eps);
   }
 };
 
 namespace hencky {
-KOKKOS_INLINE_FUNCTION Sym<3> by_eigenvalues(const Sym<3>& b) {
+KOKKOS_INLINE_FUNCTION
+Sym<3> by_eigenvalues(const Sym<3>& b) {
   double a[3][3], q[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) a[i][j] = b(i, j);

@@ -1,7 +1,7 @@
 #pragma once
-#include <Kokkos_Core.hpp>
-
 #include "base/index.hpp"
+
+#include <Kokkos_Core.hpp>
 
 namespace breccia {
 
@@ -11,16 +11,16 @@ namespace breccia {
 // symbols  t [s] time   s [1] = t / ramp   factor = s^2 (3 - 2 s), C1 at both ends
 // source   ALGORITHMS
 struct Ramp {
-  double ramp = 0;               ///< s; 0: full from the start
-  Index begin = 0, end = 0;      ///< rows of the table; equal: no table
+  double ramp = 0;           ///< s; 0: full from the start
+  Index begin = 0, end = 0;  ///< rows of the table; equal: no table
 
   template <class Table>
-  KOKKOS_FUNCTION double factor(double t, const Table& table) const {
-    return smooth(t) * tabulated(t, table);
-  }
+  KOKKOS_FUNCTION
+  double factor(double t, const Table& table) const { return smooth(t) * tabulated(t, table); }
 
  private:
-  KOKKOS_FUNCTION double smooth(double t) const {
+  KOKKOS_FUNCTION
+  double smooth(double t) const {
     if (t >= ramp) return 1;
     if (t <= 0) return 0;
     const double s = t / ramp;
@@ -28,7 +28,8 @@ struct Ramp {
   }
 
   template <class Table>
-  KOKKOS_FUNCTION double tabulated(double t, const Table& table) const {
+  KOKKOS_FUNCTION
+  double tabulated(double t, const Table& table) const {
     if (begin == end) return 1;
     if (t <= table(begin, 0)) return table(begin, 1);
     for (Index i = begin + 1; i < end; ++i)

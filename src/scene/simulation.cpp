@@ -1,13 +1,13 @@
 #include "scene/simulation.hpp"
 
-#include <algorithm>
-#include <chrono>
-
-#include <fmt/format.h>
-
 #include "core/error.hpp"
 #include "scene/catalog.hpp"
 #include "scene/model_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
 
 namespace breccia {
 
@@ -23,8 +23,9 @@ constexpr double kFactorSprings = 0.5;
 }  // namespace
 
 template <int D>
-Simulation<D>::Simulation(const Settings& scene) : scene_(&scene) {
-  build_model(scene, model_);
+Simulation<D>::Simulation(const Settings& scene, const std::filesystem::path& folder)
+    : scene_(&scene) {
+  build_model(scene, folder, model_);
   modules_ = make_modules<D>(scene);
   for (const auto& module : modules_)
     if (auto* motion = dynamic_cast<Motion<D>*>(module.get())) motion_ = motion;
@@ -50,8 +51,9 @@ void Simulation<D>::start() {
     const double limit = first.dt / (first.by_springs ? factors_.springs : factors_.bulk);
     if (fixed_step_ > limit)
       throw scene_->at("run").error(
-          "step", fmt::format("a step of {:.4g} s is not stable: the limit of this mesh is {:.4g} s",
-                              fixed_step_, limit),
+          "step",
+          fmt::format("a step of {:.4g} s is not stable: the limit of this mesh is {:.4g} s",
+                      fixed_step_, limit),
           fmt::format("leave run.step out, or take at most {:.4g} s", 0.9 * limit));
   }
   clock_.dt = fixed_step_ > 0 ? fixed_step_ : first.dt;
@@ -128,9 +130,8 @@ void Simulation<D>::record(const StableStep& stable) {
       Kokkos::subview(x, std::make_pair(stable.node, stable.node + 1), Kokkos::ALL));
   std::string place;
   for (int d = 0; d < D; ++d) place += fmt::format("{}{:.5g}", d ? ", " : "", one(0, d));
-  record_.set_by = fmt::format("{} at ({}) m",
-                               stable.by_springs ? "interface or contact springs" : "elements",
-                               place);
+  record_.set_by = fmt::format(
+      "{} at ({}) m", stable.by_springs ? "interface or contact springs" : "elements", place);
 }
 
 template <int D>
@@ -150,6 +151,15 @@ void Simulation<D>::step(double end, const Watchers& watchers) {
 }
 
 template <int D>
+void Simulation<D>::close(const Watchers& watchers) {
+  plan_.run(Stage::search, Stage::split, clock_);
+  clock_.dt = 0;
+  watchers.before();
+  plan_.run(Stage::assemble, Stage::observe, clock_);
+  watchers.after();
+}
+
+template <int D>
 void Simulation<D>::book_before(Ledger& ledger) {
   ledger.kinetic_start = kinetic_start_;
   ledger.stored_start = stored_start_;
@@ -159,7 +169,7 @@ void Simulation<D>::book_before(Ledger& ledger) {
 
 template <int D>
 void Simulation<D>::book_after(Ledger& ledger) {
-  motion_->book_after(model_, ledger);
+  motion_->book_after(model_, clock_, ledger);
 }
 
 template <int D>

@@ -1,11 +1,12 @@
 #pragma once
+#include "modules/motion/motion.hpp"
+#include "step/module.hpp"
+
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include "modules/motion/motion.hpp"
-#include "step/module.hpp"
 
 namespace breccia {
 
@@ -20,9 +21,9 @@ struct StepRecord {
 template <int D>
 class Simulation {
  public:
-  /// Meshes the bodies, allocates the fields of the modules that the scene calls for.
+  /// Meshes the bodies (files are looked for in `folder`), allocates the fields of the modules that the scene calls for.
   /// Throws Error where the scene cannot be built.
-  explicit Simulation(const Settings& scene);
+  Simulation(const Settings& scene, const std::filesystem::path& folder);
 
   /// Fills the state at t = 0 and chooses the first step. Throws Error when a step that the
   /// user fixed is not stable.
@@ -35,6 +36,9 @@ class Simulation {
   };
   /// One step, no longer than to `end`.
   void step(double end, const Watchers& watchers);
+
+  /// Half a kick at the end of a run brings the velocities to the time of the positions.
+  void close(const Watchers& watchers);
 
   /// Reads or writes everything that is not in the store.
   void archive(Archive& archive);
@@ -69,7 +73,7 @@ class Simulation {
   Plan plan_;
   Clock clock_;
   StepRecord record_;
-  double fixed_step_ = 0;   ///< s; 0: automatic
+  double fixed_step_ = 0;  ///< s; 0: automatic
   typename Motion<D>::Factors factors_{};
   double kinetic_start_ = 0, stored_start_ = 0;
   std::int64_t next_renewal_ = 0;

@@ -1,11 +1,11 @@
 #include "step/selection.hpp"
 
-#include <algorithm>
+#include "core/text.hpp"
+#include "mesh/select.hpp"
 
 #include <fmt/format.h>
 
-#include "core/text.hpp"
-#include "mesh/select.hpp"
+#include <algorithm>
 
 namespace breccia {
 
@@ -35,14 +35,14 @@ double extent(const Mesh<D>& mesh) {
 }  // namespace
 
 template <int D>
-const Region& named_region(const Settings& section, const std::string& key,
-                           const std::string& name, const Mesh<D>& mesh) {
+const Region& named_region(const Settings& section, const std::string& key, const std::string& name,
+                           const Mesh<D>& mesh) {
   if (const Region* region = find_region(mesh, name)) return *region;
   std::vector<std::string> names;
   for (const Region& region : mesh.regions) names.push_back(region.name);
-  throw section.error(key, fmt::format("no body or region is called '{}'.{}", name,
-                                       did_you_mean(name, names)),
-                      "the scene has: " + join(names));
+  throw section.error(
+      key, fmt::format("no body or region is called '{}'.{}", name, did_you_mean(name, names)),
+      "the scene has: " + join(names));
 }
 
 template <int D>
@@ -61,8 +61,9 @@ Region select_region(const Settings& section, const Mesh<D>& mesh, const Topolog
   } else {
     key = "box";
     const Settings& box = section.at("box");
-    region = select(mesh, topology, BoxSelector<D>{point_of<D>(box.vector("lower")),
-                                                   point_of<D>(box.vector("upper"))});
+    region =
+        select(mesh, topology,
+               BoxSelector<D>{point_of<D>(box.vector("lower")), point_of<D>(box.vector("upper"))});
   }
   if (region.points.empty())
     throw section.error(key, "no node of the mesh lies there",

@@ -13,7 +13,7 @@ Region select_region(const Settings& section, const Mesh<D>& mesh, const Topolog
 
 /// The region of that name; Error at `section`'s key `key` otherwise.
 template <int D>
-const Region& named_region(const Settings& section, const std::string& key,
-                           const std::string& name, const Mesh<D>& mesh);
+const Region& named_region(const Settings& section, const std::string& key, const std::string& name,
+                           const Mesh<D>& mesh);
 
 }  // namespace breccia

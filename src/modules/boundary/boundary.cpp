@@ -1,11 +1,11 @@
 #include "modules/boundary/boundary.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "step/selection.hpp"
 
 #include <fmt/format.h>
 
-#include "step/selection.hpp"
+#include <algorithm>
+#include <cmath>
 
 namespace breccia {
 
@@ -118,8 +118,9 @@ void Boundary<D>::load(const Model<D>& model, Index law, const Region& region,
     face_area_[face] = face_area(model, face);
   }
   if (face_laws_.empty())
-    throw section.error("", "a traction or pressure needs free faces and none lies there",
-                        "choose a side of a body (such as \"disc.rim\"), or a plane on its surface");
+    throw section.error(
+        "", "a traction or pressure needs free faces and none lies there",
+        "choose a side of a body (such as \"disc.rim\"), or a plane on its surface");
 }
 
 template <int D>
@@ -140,8 +141,8 @@ void Boundary<D>::make_rows(std::vector<Index>& row_of_node) {
 template <int D>
 void Boundary<D>::bind(Model<D>& model) {
   resume(model);
-  const auto flags = Kokkos::create_mirror_view_and_copy(
-      Kokkos::HostSpace{}, model.store.template get<NodeFlags>());
+  const auto flags = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
+                                                         model.store.template get<NodeFlags>());
   std::vector<Index> row_of_node;
   make_rows(row_of_node);
   for (std::size_t n = 0; n < row_of_node.size(); ++n) {
@@ -219,7 +220,7 @@ void Boundary<D>::enlist(Model<D>& model, Plan& plan) {
         .template reading<NodePosition<D>, ElementNodes<D>>()
         .template writing<LoadForce<D>>();
   if (moves_)
-    plan.add(Stage::assemble, "boundary::motion", key(),
+    plan.add(Stage::node_force, "boundary::motion", key(),
              [this, &model](const Clock& clock) {
                motion_.time = clock.middle();
                boundary_motion(motion_, model.store.template get<BoundaryVelocity<D>>());

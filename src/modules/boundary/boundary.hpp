@@ -1,8 +1,8 @@
 #pragma once
-#include <map>
-
 #include "loops/boundary.hpp"
 #include "step/module.hpp"
+
+#include <map>
 
 namespace breccia {
 

@@ -1,10 +1,10 @@
 #include "modules/motion/motion.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/mat.hpp"
 #include "modules/motion/motion_fields.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace breccia {
 
@@ -177,8 +177,8 @@ void Motion<D>::move(Model<D>& model, const Clock& clock) {
 }
 
 template <int D>
-StableStep Motion<D>::stable(const Model<D>& model, const Array<double>& stiffness,
-                             Factors factors, bool renew) const {
+StableStep Motion<D>::stable(const Model<D>& model, const Array<double>& stiffness, Factors factors,
+                             bool renew) const {
   const Store& s = model.store;
   StableStepIn<D> in;
   in.elements = model.elements();
@@ -207,10 +207,9 @@ double Motion<D>::kinetic_energy(const Model<D>& model) const {
   const auto v = model.store.template get<NodeVelocity<D>>();
   const auto mass = model.store.template get<NodeMass>();
   const ChunkSums<1> rows("breccia::motion::kinetic", chunks_of(model.nodes()));
-  for_each_summed<1>("breccia::motion::kinetic", model.nodes(), rows,
-                     KOKKOS_LAMBDA(Index n, Sums<1> & sum) {
-                       sum[0] += 0.5 * mass(n) * norm2(row<D>(v, n));
-                     });
+  for_each_summed<1>(
+      "breccia::motion::kinetic", model.nodes(), rows,
+      KOKKOS_LAMBDA(Index n, Sums<1> & sum) { sum[0] += 0.5 * mass(n) * norm2(row<D>(v, n)); });
   return total_of(rows)[0];
 }
 
@@ -224,24 +223,27 @@ void Motion<D>::book_before(const Model<D>& model, Ledger& ledger) {
 }
 
 template <int D>
-void Motion<D>::book_after(const Model<D>& model, Ledger& ledger) const {
+void Motion<D>::book_after(const Model<D>& model, const Clock& clock, Ledger& ledger) const {
   const auto before = model.store.template get<NodeVelocityBefore<D>>();
   const auto v = model.store.template get<NodeVelocity<D>>();
   const auto mass = model.store.template get<NodeMass>();
-  const ChunkSums<2> rows("breccia::motion::kinetic", chunks_of(model.nodes()));
-  for_each_summed<2>("breccia::motion::kinetic", model.nodes(), rows,
-                     KOKKOS_LAMBDA(Index n, Sums<2> & sum) {
-                       const Vec<D> now = row<D>(v, n);
-                       sum[0] += 0.5 * mass(n) * dot(row<D>(before, n), now);
-                       sum[1] += 0.5 * mass(n) * norm2(now);
-                     });
-  const Sums<2> kinetic = total_of(rows);
-  ledger.kinetic = kinetic[0];
-  ledger.kinetic_half = kinetic[1];
+  const ChunkSums<3> rows("breccia::motion::kinetic", chunks_of(model.nodes()));
+  for_each_summed<3>(
+      "breccia::motion::kinetic", model.nodes(), rows, KOKKOS_LAMBDA(Index n, Sums<3> & sum) {
+        const Vec<D> old = row<D>(before, n), now = row<D>(v, n);
+        sum[0] += 0.5 * mass(n) * norm2(old);
+        sum[1] += 0.5 * mass(n) * dot(old, now);
+        sum[2] += 0.5 * mass(n) * norm2(now);
+      });
+  const Sums<3> kinetic = total_of(rows);
+  // The first kick starts at t^n and the closing one ends there.
+  const int moment = clock.dt_before == 0 ? 0 : clock.dt == 0 ? 2 : 1;
+  ledger.kinetic = kinetic[moment];
+  ledger.kinetic_half = kinetic[2];
   const Sums<kWorks> work = total_of(work_);
   for (int k = 0; k < kWorks; ++k) {
     ledger.work[k] = work[k];
-    ledger.work_middle[k] = 0.5 * (ledger.work_middle[k] + work[k]);
+    ledger.work_middle[k] += 0.5 * moment * (work[k] - ledger.work_middle[k]);
   }
 }
 

@@ -33,7 +33,7 @@ class Motion final : public Module<D> {
   /// Kinetic energies and works up to now. `before` the kick of a step, `after` it; only both
   /// together give the values at t^n.
   void book_before(const Model<D>& model, Ledger& ledger);
-  void book_after(const Model<D>& model, Ledger& ledger) const;
+  void book_after(const Model<D>& model, const Clock& clock, Ledger& ledger) const;
   double kinetic_energy(const Model<D>& model) const;
 
  private:

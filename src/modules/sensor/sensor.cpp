@@ -1,15 +1,15 @@
 #include "modules/sensor/sensor.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include <fmt/format.h>
-
 #include "base/mat.hpp"
 #include "loops/element_stress.hpp"
 #include "loops/sampling.hpp"
 #include "step/selection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace breccia {
 
@@ -41,9 +41,9 @@ std::array<double, D + 1> barycentric(const Mesh<D>& mesh, Index element,
 template <int D>
 Sym<D> stress_at(const Model<D>& model, Index element) {
   const Store& s = model.store;
-  const ElementStress<D> stress{
-      s.get<ElementNodes<D>>(), s.get<NodePosition<D>>(), s.get<ElementReference<D>>(),
-      s.get<ElementMaterial>(), s.get<MaterialLame>(),    model.thickness};
+  const ElementStress<D> stress{s.get<ElementNodes<D>>(),     s.get<NodePosition<D>>(),
+                                s.get<ElementReference<D>>(), s.get<ElementMaterial>(),
+                                s.get<MaterialLame>(),        model.thickness};
   const Kokkos::View<Sym<D>, Memory> out("breccia::sensor::stress");
   run_once(
       "breccia::sensor::stress", KOKKOS_LAMBDA(Index) { out() = stress.cauchy(element); });
@@ -116,11 +116,10 @@ auto Sensor<D>::reaction(const Model<D>& model, const Settings& section) const -
   std::sort(probe.families.begin(), probe.families.end());
   probe.families.erase(std::unique(probe.families.begin(), probe.families.end()),
                        probe.families.end());
-  const auto flags = Kokkos::create_mirror_view_and_copy(
-      Kokkos::HostSpace{}, model.store.template get<NodeFlags>());
-  const bool held = std::any_of(probe.families.begin(), probe.families.end(), [&](Index n) {
-    return (flags(n) & node_flag::fixed_any) != 0;
-  });
+  const auto flags = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
+                                                         model.store.template get<NodeFlags>());
+  const bool held = std::any_of(probe.families.begin(), probe.families.end(),
+                                [&](Index n) { return (flags(n) & node_flag::fixed_any) != 0; });
   if (!held)
     throw section.error("reaction",
                         fmt::format("nothing holds or moves '{}', so it has no reaction", name),
@@ -143,8 +142,8 @@ template <int D>
 void Sensor<D>::find_copies(const Model<D>& model) {
   if (splits_ == model.splits) return;
   splits_ = model.splits;
-  const auto family = Kokkos::create_mirror_view_and_copy(
-      Kokkos::HostSpace{}, model.store.template get<NodeFamily>());
+  const auto family = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
+                                                          model.store.template get<NodeFamily>());
   std::vector<std::vector<Index>> copies(model.mesh.point.size());
   for (Index n = 0; n < model.nodes(); ++n) copies[family(n)].push_back(n);
   for (Probe& probe : probes_) {
@@ -184,17 +183,15 @@ void Sensor<D>::before(Model<D>& model, const Probe& probe, Row& row) const {
     for (int d = 0; d < D; ++d) row.set(probe.name + "." + kAxes[d], 0);
     return;
   }
-  const Vec<D> u =
-      sample<D>(s.get<NodePosition<D>>(), probe.nodes, probe.weights) -
-      sample<D>(s.get<NodeReference<D>>(), probe.nodes, probe.weights);
+  const Vec<D> u = sample<D>(s.get<NodePosition<D>>(), probe.nodes, probe.weights) -
+                   sample<D>(s.get<NodeReference<D>>(), probe.nodes, probe.weights);
   const Vec<D> v = sample<D>(s.get<NodeVelocity<D>>(), probe.nodes, probe.weights);
   for (int d = 0; d < D; ++d) row.set(probe.name + ".u" + kAxes[d], u[d]);
   for (int d = 0; d < D; ++d) row.set(probe.name + ".v" + kAxes[d], v[d]);
   if (probe.kind != Kind::point) return;
   const Sym<D> sigma = stress_at(model, probe.element);
   for (int i = 0; i < D; ++i)
-    for (int j = i; j < D; ++j)
-      row.set(probe.name + ".s" + kAxes[i] + kAxes[j], sigma(i, j));
+    for (int j = i; j < D; ++j) row.set(probe.name + ".s" + kAxes[i] + kAxes[j], sigma(i, j));
 }
 
 template <int D>

@@ -19,10 +19,10 @@ class Sensor final : public Module<D> {
   struct Probe {
     std::string name;
     Kind kind;
-    Index element = kNone;            ///< of a point
-    std::vector<Index> families;      ///< original nodes
-    std::vector<double> shares;       ///< weight of each
-    Array<Index> nodes;               ///< their present copies
+    Index element = kNone;        ///< of a point
+    std::vector<Index> families;  ///< original nodes
+    std::vector<double> shares;   ///< weight of each
+    Array<Index> nodes;           ///< their present copies
     Array<double> weights;
   };
 

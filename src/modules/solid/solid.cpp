@@ -1,11 +1,11 @@
 #include "modules/solid/solid.hpp"
 
-#include <cmath>
+#include "loops/element_force.hpp"
+#include "loops/element_stress.hpp"
 
 #include <fmt/format.h>
 
-#include "loops/element_force.hpp"
-#include "loops/element_stress.hpp"
+#include <cmath>
 
 namespace breccia {
 
@@ -19,7 +19,7 @@ template <int D>
 ElementStress<D> stress_of(const Model<D>& model) {
   const Store& s = model.store;
   return {s.get<ElementNodes<D>>(), s.get<NodePosition<D>>(), s.get<ElementReference<D>>(),
-          s.get<ElementMaterial>(), s.get<MaterialLame>(), model.thickness};
+          s.get<ElementMaterial>(), s.get<MaterialLame>(),    model.thickness};
 }
 
 void archive_rows(Archive& archive, std::size_t block, ChunkSums<1>& rows) {
@@ -102,8 +102,8 @@ void Solid<D>::forces(Model<D>& model, const Clock& clock) {
 
 template <int D>
 void Solid<D>::stop_at(Model<D>& model, Index element, const Clock& clock) const {
-  const auto x = Kokkos::create_mirror_view_and_copy(
-      Kokkos::HostSpace{}, model.store.template get<NodePosition<D>>());
+  const auto x = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
+                                                     model.store.template get<NodePosition<D>>());
   const auto nodes = Kokkos::create_mirror_view_and_copy(
       Kokkos::HostSpace{}, model.store.template get<ElementNodes<D>>());
   std::string place;
@@ -117,21 +117,22 @@ void Solid<D>::stop_at(Model<D>& model, Index element, const Clock& clock) const
   const std::string& body = model.mesh.body_names[model.mesh.body[element]];
   model.stop.raised = true;
   model.stop.cause =
-      finite ? fmt::format("element {} of body '{}' at ({}) m has less than {:.0f} % of its volume "
-                           "at time {:.6g} s (step {}): it is about to invert; likely causes are "
-                           "a load beyond what the mesh can follow, missing [contact] between "
-                           "bodies, or elements too large for the deformation",
-                           element, body, place, 100 * kSmallestJacobian, clock.time, clock.step)
-             : fmt::format("element {} of body '{}' has a non-finite position at time {:.6g} s "
-                           "(step {}): the state blew up; likely causes are a step that is not "
-                           "stable (run.step, run.step_factor) or a load that is not finite",
-                           element, body, clock.time, clock.step);
+      finite ? fmt::format(
+                   "element {} of body '{}' at ({}) m has less than {:.0f} % of its volume "
+                   "at time {:.6g} s (step {}): it is about to invert; likely causes are "
+                   "a load beyond what the mesh can follow, missing [contact] between "
+                   "bodies, or elements too large for the deformation",
+                   element, body, place, 100 * kSmallestJacobian, clock.time, clock.step)
+             : fmt::format(
+                   "element {} of body '{}' has a non-finite position at time {:.6g} s "
+                   "(step {}): the state blew up; likely causes are a step that is not "
+                   "stable (run.step, run.step_factor) or a load that is not finite",
+                   element, body, clock.time, clock.step);
 }
 
 template <int D>
 void Solid<D>::book(Model<D>& model, Ledger& ledger) const {
-  ledger.add("IE_elastic", EnergyKind::stored,
-             strain_energy(stress_of(model), model.elements()));
+  ledger.add("IE_elastic", EnergyKind::stored, strain_energy(stress_of(model), model.elements()));
   double viscous = 0;
   bool damped = false;
   for (std::size_t b = 0; b < viscous_.size(); ++b) {
@@ -145,9 +146,22 @@ template <int D>
 void Solid<D>::draw(Model<D>& model, Picture& picture) const {
   const auto sigma = Kokkos::create_mirror_view_and_copy(
       Kokkos::HostSpace{}, cauchy_stress(stress_of(model), model.elements()));
-  PictureField field{"stress", "Pa", Sym<D>::size, {}};
-  field.values.assign(sigma.data(), sigma.data() + sigma.size());
-  picture.element_fields.push_back(std::move(field));
+  PictureField stress{"stress", "Pa", 6, {}};
+  PictureField mises{"von_mises", "Pa", 1, {}};
+  for (Index e = 0; e < model.elements(); ++e) {
+    const double poisson = model.material_of_body(model.mesh.body[e]).poisson;
+    Sym<3> s = Sym<3>::zero();
+    for (int i = 0; i < D; ++i)
+      for (int j = i; j < D; ++j) s(i, j) = sigma(e, Sym<D>::at(i, j));
+    if (D == 2 && !model.plane_stress) s(2, 2) = poisson * (s(0, 0) + s(1, 1));
+    for (const double value : {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)})
+      stress.values.push_back(value);
+    const double mean = trace(s) / 3;
+    for (int i = 0; i < 3; ++i) s(i, i) -= mean;
+    mises.values.push_back(std::sqrt(1.5 * contract(s, s)));
+  }
+  picture.element_fields.push_back(std::move(stress));
+  picture.element_fields.push_back(std::move(mises));
 }
 
 template <int D>

@@ -1,0 +1,18 @@
+#pragma once
+#include "core/settings.hpp"
+#include "mesh/shapes.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace breccia {
+
+/// A [[body]] section as the mesh builders want it.
+template <int D>
+BodyShape body_shape(const Settings& body, const std::filesystem::path& folder, int seed);
+
+/// The structured grid of a body whose scene gives `mesh.cells`.
+template <int D>
+std::optional<Grid<D>> grid_of(const Settings& body, int seed);
+
+}  // namespace breccia

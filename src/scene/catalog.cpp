@@ -1,0 +1,35 @@
+#include "scene/catalog.hpp"
+
+#include "modules/boundary/boundary.hpp"
+#include "modules/gravity/gravity.hpp"
+#include "modules/motion/motion.hpp"
+#include "modules/sensor/sensor.hpp"
+#include "modules/solid/solid.hpp"
+
+namespace breccia {
+
+template <int D>
+std::vector<std::unique_ptr<Module<D>>> make_modules(const Settings& scene) {
+  std::vector<std::unique_ptr<Module<D>>> list;
+  list.push_back(std::make_unique<Motion<D>>());
+  list.push_back(std::make_unique<Solid<D>>());
+  if (Gravity<D>::wanted(scene)) list.push_back(std::make_unique<Gravity<D>>());
+  if (Boundary<D>::wanted(scene)) list.push_back(std::make_unique<Boundary<D>>());
+  if (Sensor<D>::wanted(scene)) list.push_back(std::make_unique<Sensor<D>>());
+  return list;
+}
+
+void declare_module_keys(Schema&) {}
+
+std::vector<EffectState> effects_of(const Settings& scene) {
+  return {{"solid", true},
+          {"motion", true},
+          {"gravity", Gravity<2>::wanted(scene)},
+          {"boundary", Boundary<2>::wanted(scene)},
+          {"sensor", Sensor<2>::wanted(scene)}};
+}
+
+template std::vector<std::unique_ptr<Module<2>>> make_modules<2>(const Settings&);
+template std::vector<std::unique_ptr<Module<3>>> make_modules<3>(const Settings&);
+
+}  // namespace breccia

@@ -1,0 +1,82 @@
+#include "scene/cost_sheet.hpp"
+
+#include "core/build_info.hpp"
+#include "scene/state_file.hpp"
+
+#include <sys/resource.h>
+
+namespace breccia {
+
+std::int64_t peak_memory_bytes() {
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+  return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+namespace {
+
+template <int D>
+void add_effects(const Simulation<D>& simulation, const std::vector<Cost>& costs, Report& report) {
+  for (const auto& module : simulation.modules()) {
+    Report::Effect effect;
+    effect.name = module->key();
+    effect.bytes = static_cast<std::int64_t>(simulation.model().store.bytes(effect.name));
+    for (const Cost& cost : costs)
+      if (cost.effect == effect.name) {
+        effect.seconds = cost.seconds;
+        effect.launches = cost.launches;
+      }
+    report.effects.push_back(effect);
+  }
+  for (const Cost& cost : costs)
+    if (cost.effect == "output")
+      report.effects.push_back({"output", cost.seconds, 0, cost.launches});
+}
+
+}  // namespace
+
+template <int D>
+Report make_report(Simulation<D>& simulation, const Recorder<D>& recorder, const Outcome& outcome) {
+  const Settings& scene = simulation.scene();
+  Report report;
+  report.title = scene.text_or("title", "");
+  report.status = outcome.status;
+  report.reason = outcome.reason;
+  report.steps = simulation.clock().step;
+  report.time = simulation.clock().time;
+  report.wall_seconds = outcome.wall_seconds;
+  report.threads = Exec().concurrency();
+  report.backend = Exec::name();
+  report.precision = scene.at("run").text("precision");
+  report.elements = simulation.model().elements();
+  report.nodes = simulation.model().nodes();
+  report.element_steps_per_second = static_cast<double>(report.elements) *
+                                    static_cast<double>(report.steps) / outcome.wall_seconds;
+  const StepRecord& step = simulation.step_record();
+  report.time_step.min = step.min;
+  report.time_step.max = step.max;
+  if (report.steps > 0) report.time_step.mean = report.time / static_cast<double>(report.steps);
+  report.time_step.set_by = step.set_by;
+  const Counts counts = simulation.counts();
+  report.interfaces = {counts.bonded, counts.inserted, counts.released};
+  report.fragments = static_cast<std::int64_t>(recorder.last_fragments());
+  const Ledger& ledger = recorder.last_ledger();
+  report.ledger.emplace_back("KE", ledger.kinetic);
+  report.ledger.emplace_back("W_ext", ledger.external());
+  for (const Ledger::Entry& entry : ledger.entries())
+    report.ledger.emplace_back(entry.name, entry.joule);
+  report.res_1 = ledger.residual_1();
+  report.res_2 = ledger.residual_2();
+  add_effects(simulation, simulation.plan().costs(), report);
+  report.peak_memory_bytes = peak_memory_bytes();
+  report.state_hash = state_hash(simulation);
+  const BuildInfo& build = build_info();
+  report.version = {std::string(build.version), std::string(build.commit),
+                    std::string(build.compiler) + " " + std::string(build.build_type)};
+  return report;
+}
+
+template Report make_report(Simulation<2>&, const Recorder<2>&, const Outcome&);
+template Report make_report(Simulation<3>&, const Recorder<3>&, const Outcome&);
+
+}  // namespace breccia

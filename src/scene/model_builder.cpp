@@ -1,0 +1,146 @@
+#include "scene/model_builder.hpp"
+
+#include "base/mat.hpp"
+#include "io/mesh_file.hpp"
+#include "mesh/order.hpp"
+#include "mesh/overlap.hpp"
+#include "mesh/validate.hpp"
+#include "scene/body_shapes.hpp"
+
+#include <algorithm>
+
+namespace breccia {
+
+namespace {
+
+/// Room behind the last element: loops read a whole SIMD register of elements at a time.
+constexpr Index kElementRoom = 16;
+
+/// Room for nodes that splitting makes, before the store has to grow.
+constexpr double kNodeRoom = 1.3;
+
+template <int D>
+Index material_index(const Model<D>& model, const Settings& body) {
+  for (std::size_t m = 0; m < model.materials.size(); ++m)
+    if (model.materials[m].name == body.text("material")) return static_cast<Index>(m);
+  throw body.error("material", "there is no [material." + body.text("material") + "]");
+}
+
+/// Contiguous runs of elements of one material.
+template <int D>
+std::vector<Block> find_blocks(const Model<D>& model) {
+  std::vector<Block> blocks;
+  for (Index e = 0; e < model.mesh.elements(); ++e) {
+    const Index material = model.body_material[model.mesh.body[e]];
+    if (blocks.empty() || blocks.back().material != material)
+      blocks.push_back({e, e, material, {}});
+    blocks.back().end = e + 1;
+  }
+  return blocks;
+}
+
+template <int D>
+void size_store(Model<D>& model) {
+  const Index points = model.mesh.points(), elements = model.mesh.elements();
+  const bool may_split = model.scene->has("fracture") || !model.scene->list("interface").empty();
+  const auto room = may_split ? static_cast<Index>(kNodeRoom * points) : points;
+  model.store.set_size(Entity::node, points, room);
+  model.store.set_size(Entity::corner, elements * (D + 1), elements * (D + 1));
+  model.store.set_size(Entity::element, elements, elements + kElementRoom);
+  model.store.set_size(Entity::family, points, points);
+  const auto materials = static_cast<Index>(model.materials.size());
+  model.store.set_size(Entity::material, materials, materials);
+}
+
+}  // namespace
+
+template <int D>
+Mesh<D> build_mesh(const Settings& scene, const std::filesystem::path& folder) {
+  const int seed = static_cast<int>(scene.at("run").integer("seed"));
+  Mesh<D> mesh;
+  std::vector<BodyShape> shapes;
+  for (const Settings& body : scene.list("body")) {
+    if (const auto grid = grid_of<D>(body, seed))
+      append(mesh, structured_mesh(*grid));
+    else
+      shapes.push_back(body_shape<D>(body, folder, seed));
+  }
+  if (!shapes.empty())
+    append(mesh,
+           mesh_bodies<D>(shapes, [](const std::string& path) { return read_mesh<D>(path); }));
+  validate(mesh, "the scene's mesh");
+  refuse_overlap(mesh);
+  return mesh;
+}
+
+template <int D>
+void build_model(const Settings& scene, const std::filesystem::path& folder, Model<D>& model) {
+  model.scene = &scene;
+  model.materials = read_materials(scene);
+  if (D == 2) {
+    model.thickness = scene.at("run").number("thickness");
+    model.plane_stress = scene.at("run").text("plane") == "stress";
+  }
+  Mesh<D> mesh = build_mesh<D>(scene, folder);
+  model.body_material.assign(mesh.body_names.size(), 0);
+  for (const Settings& body : scene.list("body"))
+    model.body_material[find_body(mesh, body.name())] = material_index(model, body);
+  std::vector<Index> block;
+  for (const Index body : mesh.body) block.push_back(model.body_material[body]);
+  model.mesh = reordered(mesh, locality_order(mesh, block));
+  model.topology = build_topology(model.mesh);
+  model.blocks = find_blocks(model);
+  size_store(model);
+}
+
+template <int D>
+std::vector<double> initial_velocity(const Settings& scene, const Model<D>& model) {
+  std::vector<double> velocity;
+  for (const Settings& body : scene.list("body")) {
+    if (!body.has("velocity") && !body.has("spin")) continue;
+    velocity.resize(model.mesh.point.size() * D, 0.0);
+    const Index number = find_body(model.mesh, body.name());
+    Vec<D> centre = Vec<D>::zero();
+    double volume = 0;
+    for (Index e = 0; e < model.elements(); ++e) {
+      if (model.mesh.body[e] != number) continue;
+      const auto& nodes = model.mesh.element[e];
+      Mat<D> g;
+      Vec<D> middle = Vec<D>::zero();
+      for (int a = 0; a <= D; ++a)
+        for (int d = 0; d < D; ++d) middle[d] += model.mesh.point[nodes[a]][d] / (D + 1);
+      for (int j = 0; j < D; ++j)
+        for (int d = 0; d < D; ++d)
+          g(d, j) = model.mesh.point[nodes[j + 1]][d] - model.mesh.point[nodes[0]][d];
+      centre += middle * determinant(g);
+      volume += determinant(g);
+    }
+    centre *= 1 / volume;
+    Vec<3> spin = Vec<3>::zero();
+    if (body.has("spin")) {
+      const auto& given = body.vector("spin");
+      if (D == 2)
+        spin[2] = given[0];
+      else
+        std::copy_n(given.begin(), 3, spin.v);
+    }
+    for (const Index n : find_region(model.mesh, body.name())->points) {
+      Vec<3> arm = Vec<3>::zero();
+      for (int d = 0; d < D; ++d) arm[d] = model.mesh.point[n][d] - centre[d];
+      const Vec<3> turning = cross(spin, arm);
+      for (int d = 0; d < D; ++d)
+        velocity[static_cast<std::size_t>(n) * D + d] =
+            turning[d] + (body.has("velocity") ? body.vector("velocity")[d] : 0.0);
+    }
+  }
+  return velocity;
+}
+
+template Mesh<2> build_mesh<2>(const Settings&, const std::filesystem::path&);
+template Mesh<3> build_mesh<3>(const Settings&, const std::filesystem::path&);
+template void build_model(const Settings&, const std::filesystem::path&, Model<2>&);
+template void build_model(const Settings&, const std::filesystem::path&, Model<3>&);
+template std::vector<double> initial_velocity(const Settings&, const Model<2>&);
+template std::vector<double> initial_velocity(const Settings&, const Model<3>&);
+
+}  // namespace breccia

@@ -1,0 +1,23 @@
+#pragma once
+#include "step/model.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace breccia {
+
+/// The bodies of the scene as one mesh, checked, before any renumbering. Files are looked for
+/// beside the scene, in `folder`. Throws Error.
+template <int D>
+Mesh<D> build_mesh(const Settings& scene, const std::filesystem::path& folder);
+
+/// Mesh, topology, materials and blocks of a scene; sizes of the store's entities.
+template <int D>
+void build_model(const Settings& scene, const std::filesystem::path& folder, Model<D>& model);
+
+/// Velocity of every node at t = 0, (node, D): that of its body plus the body's spin about its
+/// centre of mass. Empty when nothing moves.
+template <int D>
+std::vector<double> initial_velocity(const Settings& scene, const Model<D>& model);
+
+}  // namespace breccia

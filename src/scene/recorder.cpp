@@ -1,0 +1,202 @@
+#include "scene/recorder.hpp"
+
+#include "scene/frame_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace breccia {
+
+namespace {
+
+/// History rows of a run whose scene does not say how many.
+constexpr double kDefaultRows = 1000;
+
+/// Round-off of summed steps: an instant that is this near (in steps) counts as reached.
+constexpr double kNear = 1e-6;
+
+}  // namespace
+
+template <int D>
+Recorder<D>::Recorder(Simulation<D>& simulation, const RunFolder& folder, const Settings& scene)
+    : simulation_(simulation), folder_(folder), duration_(scene.at("run").number("duration")) {
+  const Settings& output = scene.at("output");
+  interval_ = output.has("history") ? output.number("history") : duration_ / kDefaultRows;
+  frames_ = output.integer("frames");
+}
+
+template <int D>
+void Recorder<D>::start() {
+  if (simulation_.scene().has("fracture") || !simulation_.scene().list("interface").empty())
+    event_file_ = std::make_unique<EventWriter>(folder_.events(), D);
+  if (frames_ > 0) {
+    fragment_file_ = std::make_unique<FragmentWriter>(folder_.fragments(), D);
+    frame_series_ = std::make_unique<FrameSeries>(folder_.path());
+  }
+}
+
+template <int D>
+void Recorder<D>::resume(const OutputState& state) {
+  next_history_ = state.next_history;
+  next_frame_ = state.next_frame;
+  history_rows_ = state.history_rows;
+  read_history(state.history_rows);
+  if (simulation_.scene().has("fracture") || !simulation_.scene().list("interface").empty())
+    event_file_ = std::make_unique<EventWriter>(folder_.events(), D, state.event_rows);
+  if (frames_ > 0) {
+    fragment_file_ = std::make_unique<FragmentWriter>(folder_.fragments(), D, state.fragment_rows);
+    frame_series_ = std::make_unique<FrameSeries>(folder_.path(), state.frame_times);
+    fragment_frame_ = static_cast<std::int64_t>(state.frame_times.size());
+  }
+}
+
+template <int D>
+void Recorder<D>::read_history(std::int64_t rows) {
+  std::ifstream file(folder_.history());
+  std::string line, cell;
+  if (!std::getline(file, line)) return;
+  std::stringstream head(line);
+  while (std::getline(head, cell, ',')) row_.set(cell, 0);
+  for (std::int64_t r = 0; r < rows && std::getline(file, line); ++r) {
+    std::vector<double> values;
+    std::stringstream cells(line);
+    while (std::getline(cells, cell, ',')) values.push_back(std::stod(cell));
+    history_.push_back(std::move(values));
+  }
+  if (rows > 0)
+    history_file_ = std::make_unique<HistoryWriter>(folder_.history(), row_.columns(), rows);
+}
+
+template <int D>
+bool Recorder<D>::history_due() const {
+  const Clock& clock = simulation_.clock();
+  return final_ || clock.time >= static_cast<double>(next_history_) * interval_ - kNear * clock.dt;
+}
+
+template <int D>
+bool Recorder<D>::frame_due() const {
+  if (frames_ == 0) return false;
+  const Clock& clock = simulation_.clock();
+  const double next = duration_ * static_cast<double>(next_frame_) / static_cast<double>(frames_);
+  return final_ || clock.time >= next - kNear * clock.dt;
+}
+
+template <int D>
+void Recorder<D>::before() {
+  if (!due()) return;
+  row_.restart_row();
+  row_.set("time", simulation_.clock().time);
+  row_.set("step", static_cast<double>(simulation_.clock().step));
+  row_.set("dt", simulation_.clock().dt);
+  ledger_ = Ledger{};
+  simulation_.book_before(ledger_);
+  for (const auto& module : simulation_.modules())
+    module->observe(simulation_.model(), simulation_.clock(), Moment::before, row_);
+  if (!frame_due() && !final_) return;
+  write_frame();
+  ++next_frame_;
+}
+
+template <int D>
+void Recorder<D>::after() {
+  write_events();
+  if (!history_due()) return;
+  write_row();
+  while (!final_ && static_cast<double>(next_history_) * interval_ <=
+                        simulation_.clock().time + kNear * simulation_.clock().dt)
+    ++next_history_;
+}
+
+template <int D>
+void Recorder<D>::write_row() {
+  simulation_.book_after(ledger_);
+  row_.set("KE", ledger_.kinetic);
+  for (const Ledger::Entry& entry : ledger_.entries()) row_.set(entry.name, entry.joule);
+  row_.set("W_ext", ledger_.external());
+  row_.set("RES_1", ledger_.residual_1());
+  row_.set("RES_2", ledger_.residual_2());
+  for (const auto& module : simulation_.modules())
+    module->observe(simulation_.model(), simulation_.clock(), Moment::after, row_);
+  if (!history_file_)
+    history_file_ = std::make_unique<HistoryWriter>(folder_.history(), row_.columns());
+  history_file_->write(row_.values());
+  ++history_rows_;
+  history_.push_back(row_.values());
+}
+
+template <int D>
+void Recorder<D>::write_frame() {
+  Picture picture;
+  const Fragments fragments = find_fragments(simulation_.model());
+  for (const auto& module : simulation_.modules()) module->draw(simulation_.model(), picture);
+  if (frames_ > 0) {
+    const FrameBuilder<D> frame(simulation_.model(), simulation_.clock(), picture, fragments);
+    frame.write(*frame_series_);
+    write_fragments(fragments);
+  }
+  fragment_count_ = fragments.pieces.size();
+  cracks_ = std::move(picture.cracks);
+}
+
+template <int D>
+void Recorder<D>::write_fragments(const Fragments& fragments) {
+  std::vector<FragmentRow> rows;
+  for (std::size_t i = 0; i < fragments.pieces.size(); ++i) {
+    const Fragments::Piece& piece = fragments.pieces[i];
+    FragmentRow row;
+    row.fragment = static_cast<std::int64_t>(i);
+    row.elements = piece.elements;
+    row.mass = piece.mass;
+    row.size =
+        D == 2 ? std::sqrt(piece.volume / simulation_.model().thickness) : std::cbrt(piece.volume);
+    std::copy_n(piece.place, 3, row.place.begin());
+    std::copy_n(piece.velocity, 3, row.velocity.begin());
+    rows.push_back(row);
+  }
+  fragment_file_->write(simulation_.clock().time, fragment_frame_++, rows);
+}
+
+template <int D>
+void Recorder<D>::write_events() {
+  if (!event_file_) return;
+  std::vector<CrackEvent> rows;
+  for (const auto& module : simulation_.modules())
+    for (const Event& event : module->take_events()) {
+      CrackEvent row;
+      row.time = event.time;
+      std::copy_n(event.place, 3, row.place.begin());
+      std::copy_n(event.normal, 3, row.normal.begin());
+      row.area = event.area;
+      row.mode = event.mode;
+      row.energy_tension = event.energy_tension;
+      row.energy_shear = event.energy_shear;
+      rows.push_back(row);
+    }
+  if (!rows.empty()) event_file_->write(rows);
+}
+
+template <int D>
+OutputState Recorder<D>::sync() {
+  OutputState state;
+  if (history_file_) history_file_->sync();
+  state.history_rows = history_rows_;
+  if (event_file_) {
+    event_file_->sync();
+    state.event_rows = event_file_->rows();
+  }
+  if (fragment_file_) {
+    fragment_file_->sync();
+    state.fragment_rows = fragment_file_->rows();
+  }
+  if (frame_series_) state.frame_times = frame_series_->times();
+  state.next_history = next_history_;
+  state.next_frame = next_frame_;
+  return state;
+}
+
+template class Recorder<2>;
+template class Recorder<3>;
+
+}  // namespace breccia

@@ -1,0 +1,65 @@
+#include "scene/verdict.hpp"
+
+#include "core/expression.hpp"
+#include "core/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace breccia {
+
+namespace {
+
+Quantities quantities_of(const Results& results) {
+  Quantities q;
+  for (const auto& row : results.rows) q.time.push_back(row.front());
+  q.names = results.columns;
+  for (const auto& [name, value] : results.numbers) q.names.push_back(name);
+  q.find = [&results](const std::string& name) -> std::optional<ExpressionValue> {
+    for (const auto& [known, value] : results.numbers)
+      if (known == name) return ExpressionValue(value);
+    const auto column = std::find(results.columns.begin(), results.columns.end(), name);
+    if (column == results.columns.end()) return std::nullopt;
+    const auto at = static_cast<std::size_t>(column - results.columns.begin());
+    std::vector<double> series;
+    for (const auto& row : results.rows) series.push_back(row[at]);
+    return ExpressionValue(std::move(series));
+  };
+  return q;
+}
+
+/// "10 %" is a share of the reference, anything else is in the unit of the value.
+bool is_share(const std::string& tolerance) {
+  const std::string text = trimmed(tolerance);
+  return !text.empty() && text.back() == '%';
+}
+
+Report::Check judge_one(const Settings& section, const Quantities& quantities) {
+  Report::Check check;
+  check.name = section.text("name");
+  const std::string& tolerance = section.text("tolerance");
+  check.relative = is_share(tolerance);
+  try {
+    check.reference = Expression(section.text("reference")).evaluate(quantities);
+    check.tolerance = Expression(tolerance).evaluate(quantities);
+    check.value = Expression(section.text("value")).evaluate(quantities);
+  } catch (const Error& error) {
+    check.note = error.what();
+    return check;
+  }
+  const double allowed = check.tolerance * (check.relative ? std::abs(check.reference) : 1.0);
+  check.pass = std::abs(check.value - check.reference) <= allowed;
+  return check;
+}
+
+}  // namespace
+
+std::vector<Report::Check> judge(const Settings& scene, const Results& results) {
+  const Quantities quantities = quantities_of(results);
+  std::vector<Report::Check> checks;
+  for (const Settings& section : scene.list("check"))
+    checks.push_back(judge_one(section, quantities));
+  return checks;
+}
+
+}  // namespace breccia
