@@ -3,6 +3,7 @@
 #if BRECCIA_WITH_GMSH
 
 #include "mesh/geometry.hpp"
+#include "mesh/refusal.hpp"
 #include "mesh/size_field.hpp"
 
 #include <gmsh.h>
@@ -132,6 +133,11 @@ GmshAssembly gmsh_assemble(int dimension, std::span<const BodyShape* const> bodi
     assembly.pieces[b].push_back(tag);
     assembly.owners[tag] = {b};
     add_boundaries(assembly.owners, tag, b);
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (!assembly.pieces[b].empty()) continue;
+    refuse("body \"" + bodies[b]->name + "\"", "later bodies of its part cover it wholly",
+           "list it after them, or remove it");
   }
   for (std::size_t n = 0; n < lines.size(); ++n) {
     for (const Tag& tag : parts[bodies.size() + n]) {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <clocale>
 #include <cmath>
+#include <fstream>
 #include <map>
 
 #ifdef _OPENMP
@@ -223,6 +224,9 @@ RawMesh gmsh_mesh(int dimension, std::span<const BodyShape* const> bodies) {
 }
 
 RawMesh gmsh_open(const std::string& path, int dimension, double size) {
+  if (!std::ifstream(path)) {  // Gmsh would make an empty model of it
+    refuse(path, "the file cannot be read", "check its name and that you may read it");
+  }
   const Session session;
   return translate_errors(path, [&] {
     gmsh::open(path);

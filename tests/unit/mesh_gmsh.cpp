@@ -1,3 +1,4 @@
+#include "harness/temp_folder.hpp"
 #include "mesh/geometry.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/shapes.hpp"
@@ -5,12 +6,24 @@
 #include "mesh/validate.hpp"
 #include "unit/mesh_samples.hpp"
 
+#include <Kokkos_Core.hpp>
+
+#include <gmock/gmock.h>
+
+#include <clocale>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
 namespace breccia {
 namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
 
 TEST(MeshGmsh, DiscAreaIsThatOfItsPolygon) {
   const auto mesh = mesh_one<2>(body_of("disc", Disc{{0.1, 0.2}, 0.025}, 0.002));
@@ -178,5 +191,62 @@ TEST(MeshGmsh, BodiesKeepTheirOrderAcrossParts) {
     EXPECT_EQ(mesh.body[e], x > 4 ? 1 : (x > 1 ? 2 : 0));
   }
 }
+constexpr const char* kGeo = R"(
+SetFactory("OpenCASCADE");
+Rectangle(1) = {0, 0, 0, 2, 1};
+Rectangle(2) = {2, 0, 0, 1, 1};
+Coherence;
+Physical Surface("rock") = {1};
+Physical Surface("steel") = {2};
+Physical Curve("foot") = {1};
+MeshSize {:} = 0.25;
+)";
+
+TEST(MeshGmsh, ReadsScripts) {
+  const TempFolder folder;
+  const std::string path = folder / "slab.geo";
+  put_text(path, kGeo);
+  const auto mesh = mesh_one<2>(body_of("slab", MeshFile{path, "rock"}, 0));
+  EXPECT_NEAR(total_volume(mesh), 2, 1e-9);
+  ASSERT_TRUE(find_region(mesh, "slab.foot"));
+  EXPECT_GT(face_area(mesh, "slab.foot"), 0.9);
+  EXPECT_NEAR(assess_quality(mesh).mean_size, 0.25, 0.06);
+  const auto fine = mesh_one<2>(body_of("slab", MeshFile{path, "rock"}, 0.1));
+  EXPECT_NEAR(assess_quality(fine).mean_size, 0.1, 0.02);
+}
+
+TEST(MeshGmsh, WrongScriptsAreRefusedByName) {
+  const TempFolder folder;
+  const std::string path = folder / "slab.geo";
+  put_text(path, "Point(1) = {0, 0, 0};\nFoo(2);\n");
+  const auto refusal = [&] {
+    return error_text([&] { mesh_one<2>(body_of("slab", MeshFile{path, ""}, 0)); });
+  };
+  EXPECT_THAT(refusal(), AllOf(HasSubstr("slab.geo"), HasSubstr("line 2")));
+  put_text(path, "Point(1) = {0, 0, 0};\n");
+  EXPECT_THAT(refusal(), AllOf(HasSubstr("slab.geo"), HasSubstr("no triangles")));
+  std::filesystem::remove(path);
+  EXPECT_THAT(refusal(), AllOf(HasSubstr("slab.geo"), HasSubstr("cannot be read")));
+}
+
+TEST(MeshGmsh, PartsThatAreTakenWholeAreRefused) {
+  std::vector<BodyShape> bodies = {body_of("grain", Disc{{0, 0}, 0.1}, 0.05),
+                                   body_of("cover", Disc{{0, 0}, 0.2}, 0.05)};
+  bodies[0].part_of = bodies[1].part_of = "rock";
+  EXPECT_THAT(error_text([&] { mesh_bodies<2>(bodies); }),
+              HasSubstr("body \"grain\": later bodies of its part cover it wholly"));
+}
+
+TEST(MeshGmsh, LeavesThreadsAndLocaleAlone) {
+  const std::string locale = std::setlocale(LC_ALL, nullptr);
+  const int threads = Kokkos::DefaultHostExecutionSpace().concurrency();
+  mesh_one<2>(body_of("disc", Disc{{0, 0}, 1}, 0.5));
+  EXPECT_EQ(std::setlocale(LC_ALL, nullptr), locale);
+  EXPECT_EQ(Kokkos::DefaultHostExecutionSpace().concurrency(), threads);
+#ifdef _OPENMP
+  EXPECT_EQ(omp_get_max_threads(), threads);
+#endif
+}
+
 }  // namespace
 }  // namespace breccia
