@@ -57,6 +57,7 @@ struct Key {
   bool required = false;
   bool unique = false;      ///< no two elements of the list share this value
   bool identifier = false;  ///< letters, digits and _ only: the word is used in expressions
+  bool file = false;        ///< a path from the scene's folder; made absolute
   int only_in = 0;          ///< 2 or 3: exists only in that many dimensions; 0: always
   std::string free_word;    ///< a component may be this word
   std::string refers_to;    ///< section whose names are allowed here, such as "material"
@@ -113,6 +114,7 @@ class KeyBuilder {
   KeyBuilder example(std::string text);  ///< "2650 kg/m3": a value as written in a scene
   KeyBuilder unique();
   KeyBuilder identifier();
+  KeyBuilder names_file();
   KeyBuilder only_in(int dimension);
   KeyBuilder components_may_be(std::string word);
   KeyBuilder names_one_of(std::string section);

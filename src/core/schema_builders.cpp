@@ -74,6 +74,10 @@ KeyBuilder KeyBuilder::identifier() {
   key_->identifier = true;
   return *this;
 }
+KeyBuilder KeyBuilder::names_file() {
+  key_->file = true;
+  return *this;
+}
 KeyBuilder KeyBuilder::only_in(int dimension) {
   key_->only_in = dimension;
   return *this;

@@ -109,6 +109,15 @@ std::string homes(const Schema& schema, const std::string& word) {
   return text;
 }
 
+/// "material.densty" could be a material of that name; a key nearly of that name is likelier meant.
+bool nearly_a_key(const Section& section, const std::vector<std::string>& words) {
+  const std::vector<std::string> front(words.begin(), words.end() - 1);
+  std::vector<std::string> names;
+  for (const auto& key : section.keys) names.push_back(key.name);
+  return spells(pattern_words(section.pattern), 0, front, 0, true) &&
+         !nearest(words.back(), names).empty();
+}
+
 std::string cell(std::string text) {
   std::string out;
   for (const char c : text) {
@@ -170,7 +179,8 @@ std::string Schema::help(std::string_view path) const {
       }
     }
     for (const auto& s : sections_) {
-      if (!s.pattern.empty() && spells(pattern_words(s.pattern), 0, words, 0, strict)) {
+      if (s.pattern.empty() || !spells(pattern_words(s.pattern), 0, words, 0, strict)) continue;
+      if (strict || !nearly_a_key(s, words)) {
         return section_text(*this, s);
       }
     }

@@ -4,6 +4,7 @@
 #include "core/text.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace breccia {
 
@@ -71,6 +72,7 @@ class Resolver {
     try {
       Settings::Value v = read_key_value(key, given ? *given : *key.default_value, dimensions_);
       check_reference(key, v);
+      if (key.file) make_absolute(v);
       out.add(std::move(v));
     } catch (const Error& e) {
       const std::string cause = path + ": " + e.cause();
@@ -90,6 +92,15 @@ class Resolver {
     problems_->add(place.text(), path + ": is for " + (only_in == 2 ? "two" : "three") +
                                      " dimensions; this scene has run.dimension = " +
                                      std::to_string(dimensions_));
+  }
+
+  /// So that the resolved scene in the output folder still finds its files.
+  void make_absolute(Settings::Value& v) const {
+    auto& path = std::get<std::string>(v.value);
+    if (std::filesystem::path(path).is_absolute()) return;
+    v.written = "\"" + path + "\"";
+    const auto folder = std::filesystem::path(scene_.place().file).parent_path();
+    path = std::filesystem::absolute(folder / path).lexically_normal().string();
   }
 
   void check_reference(const Key& key, const Settings::Value& v) const {

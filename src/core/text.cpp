@@ -63,8 +63,8 @@ int edit_distance(std::string_view a, std::string_view b) {
 
 std::string nearest(std::string_view word, const std::vector<std::string>& known) {
   std::string best;
-  // Half of the letters may be wrong, but never more than 4: farther words only mislead.
-  int limit = std::min(4, static_cast<int>(word.size() + 1) / 2);
+  // A third of the letters may be wrong, but never more than 3: farther words only mislead.
+  int limit = std::min(3, static_cast<int>(word.size() + 1) / 3);
   for (const auto& candidate : known) {
     const int distance = edit_distance(word, candidate);
     if (distance < limit || (distance == limit && best.empty())) {
@@ -73,8 +73,10 @@ std::string nearest(std::string_view word, const std::vector<std::string>& known
     }
   }
   if (!best.empty()) return best;
-  for (const auto& candidate : known) {  // an abbreviation: "tens" for "tensile_strength"
-    if (word.size() >= 3 && candidate.rfind(word, 0) == 0) return candidate;
+  for (const auto& candidate : known) {  // "tens" for "tensile_strength", "youngs_modulus"
+    const std::string_view shorter = std::min(word, std::string_view(candidate));
+    const std::string_view longer = std::max(word, std::string_view(candidate));
+    if (shorter.size() >= 3 && longer.substr(0, shorter.size()) == shorter) return candidate;
   }
   return best;
 }

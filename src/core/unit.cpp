@@ -16,54 +16,69 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
+/// Size in SI as factor * 10^tens: powers of ten stay exact, so that a number is rounded once and
+/// "7 mm" is the double 0.007.
+struct Scale {
+  double factor = 1;
+  int tens = 0;
+  Dimension dimension;
+};
+
 struct Symbol {
   std::string_view name;
-  double size;  ///< in SI
+  double factor;
+  int tens;
   Dimension dimension;
   bool takes_prefix;
 };
 
 constexpr std::array symbols{
-    Symbol{"m", 1, unit::length, true},
-    Symbol{"g", 1e-3, unit::mass, true},
-    Symbol{"t", 1e3, unit::mass, true},
-    Symbol{"s", 1, unit::time, true},
-    Symbol{"min", 60, unit::time, false},
-    Symbol{"h", 3600, unit::time, false},
-    Symbol{"K", 1, unit::temperature, true},
-    Symbol{"rad", 1, unit::angle, true},
-    Symbol{"deg", pi / 180, unit::angle, false},
-    Symbol{"N", 1, unit::force, true},
-    Symbol{"Pa", 1, unit::pressure, true},
-    Symbol{"bar", 1e5, unit::pressure, true},
-    Symbol{"J", 1, unit::energy, true},
-    Symbol{"W", 1, unit::power, true},
-    Symbol{"Hz", 1, unit::frequency, true},
-    Symbol{"rpm", 2 * pi / 60, unit::angular_velocity, false},
-    Symbol{"%", 1e-2, unit::none, false},
+    Symbol{"m", 1, 0, unit::length, true},
+    Symbol{"g", 1, -3, unit::mass, true},
+    Symbol{"t", 1, 3, unit::mass, true},
+    Symbol{"s", 1, 0, unit::time, true},
+    Symbol{"min", 60, 0, unit::time, false},
+    Symbol{"h", 3600, 0, unit::time, false},
+    Symbol{"K", 1, 0, unit::temperature, true},
+    Symbol{"rad", 1, 0, unit::angle, true},
+    Symbol{"deg", pi / 180, 0, unit::angle, false},
+    Symbol{"N", 1, 0, unit::force, true},
+    Symbol{"Pa", 1, 0, unit::pressure, true},
+    Symbol{"bar", 1, 5, unit::pressure, true},
+    Symbol{"J", 1, 0, unit::energy, true},
+    Symbol{"W", 1, 0, unit::power, true},
+    Symbol{"Hz", 1, 0, unit::frequency, true},
+    Symbol{"rpm", 2 * pi / 60, 0, unit::angular_velocity, false},
+    Symbol{"%", 1, -2, unit::none, false},
 };
 
 struct Prefix {
   std::string_view name;
-  double size;
+  int tens;
 };
 
 constexpr std::array prefixes{
-    Prefix{"p", 1e-12},     Prefix{"n", 1e-9}, Prefix{"u", 1e-6}, Prefix{"\u00b5", 1e-6},
-    Prefix{"\u03bc", 1e-6}, Prefix{"m", 1e-3}, Prefix{"c", 1e-2}, Prefix{"d", 1e-1},
-    Prefix{"h", 1e2},       Prefix{"k", 1e3},  Prefix{"M", 1e6},  Prefix{"G", 1e9},
-    Prefix{"T", 1e12},
+    Prefix{"p", -12}, Prefix{"n", -9}, Prefix{"u", -6}, Prefix{"\u00b5", -6}, Prefix{"\u03bc", -6},
+    Prefix{"m", -3},  Prefix{"c", -2}, Prefix{"d", -1}, Prefix{"h", 2},       Prefix{"k", 3},
+    Prefix{"M", 6},   Prefix{"G", 9},  Prefix{"T", 12},
 };
 
-std::optional<Quantity> find_symbol(std::string_view word) {
+/// number * factor * 10^tens; powers up to 10^22 are exact doubles.
+double scaled(double number, const Scale& scale) {
+  const double value = number * scale.factor;
+  const double power = std::pow(10.0, std::abs(scale.tens));
+  return scale.tens < 0 ? value / power : value * power;
+}
+
+std::optional<Scale> find_symbol(std::string_view word) {
   for (const auto& s : symbols) {
-    if (word == s.name) return Quantity{s.size, s.dimension, true};
+    if (word == s.name) return Scale{s.factor, s.tens, s.dimension};
   }
   for (const auto& p : prefixes) {
     if (word.size() <= p.name.size() || word.substr(0, p.name.size()) != p.name) continue;
     const auto rest = word.substr(p.name.size());
     for (const auto& s : symbols) {
-      if (s.takes_prefix && rest == s.name) return Quantity{p.size * s.size, s.dimension, true};
+      if (s.takes_prefix && rest == s.name) return Scale{s.factor, p.tens + s.tens, s.dimension};
     }
   }
   return std::nullopt;
@@ -95,8 +110,8 @@ class UnitReader {
  public:
   explicit UnitReader(std::string_view text) : text_(text) {}
 
-  Quantity read() {
-    Quantity q = product();
+  Scale read() {
+    Scale q = product();
     if (at_ != text_.size()) fail("'" + std::string(text_.substr(at_)) + "' is not a unit");
     return q;
   }
@@ -107,19 +122,20 @@ class UnitReader {
     throw Error("", cause, remedy);
   }
 
-  Quantity product() {
-    Quantity left = factor();
+  Scale product() {
+    Scale left = factor();
     while (more() && (text_[at_] == '.' || text_[at_] == '*' || text_[at_] == '/')) {
       const bool divide = text_[at_++] == '/';
-      const Quantity right = factor();
-      left.value = divide ? left.value / right.value : left.value * right.value;
+      const Scale right = factor();
+      left.factor = divide ? left.factor / right.factor : left.factor * right.factor;
+      left.tens += divide ? -right.tens : right.tens;
       left.dimension = divide ? left.dimension / right.dimension : left.dimension * right.dimension;
     }
     return left;
   }
 
-  Quantity factor() {
-    Quantity base = atom();
+  Scale factor() {
+    Scale base = atom();
     const bool caret = more() && text_[at_] == '^';
     if (caret) ++at_;
     int exponent = 1;
@@ -135,13 +151,13 @@ class UnitReader {
     if (exponent == 0 || exponent > 9 || exponent < -9) {
       fail("the unit '" + std::string(text_) + "' has an exponent out of range");
     }
-    return {std::pow(base.value, exponent), power(base.dimension, exponent), true};
+    return {std::pow(base.factor, exponent), base.tens * exponent, power(base.dimension, exponent)};
   }
 
-  Quantity atom() {
+  Scale atom() {
     if (more() && text_[at_] == '(') {
       ++at_;
-      Quantity inner = product();
+      Scale inner = product();
       if (!more() || text_[at_] != ')') {
         fail("the unit '" + std::string(text_) + "' lacks a ')'");
       }
@@ -150,7 +166,7 @@ class UnitReader {
     }
     if (more() && text_[at_] == '1') {  // as in "1/s"
       ++at_;
-      return {1, unit::none, true};
+      return {};
     }
     const std::size_t begin = at_;
     while (more() && is_letter(text_[at_])) ++at_;
@@ -175,13 +191,6 @@ class UnitReader {
   std::string_view text_;
   std::size_t at_ = 0;
 };
-
-/// Dividing by 1000 rounds once, multiplying by 0.001 twice: "7 mm" shall be the double 0.007.
-double scaled(double number, double size) {
-  const double inverse = std::round(1 / size);
-  const bool whole = size < 1 && std::abs(inverse * size - 1) < 1e-15;
-  return whole ? number / inverse : number * size;
-}
 
 struct NamedDimension {
   Dimension dimension;
@@ -222,7 +231,8 @@ const NamedDimension* find_name(Dimension dimension) {
 }  // namespace
 
 Quantity parse_unit(std::string_view text) {
-  return UnitReader(trimmed(text)).read();
+  const Scale scale = UnitReader(trimmed(text)).read();
+  return {scaled(1, scale), scale.dimension, true};
 }
 
 bool is_unit(std::string_view text) {
@@ -251,10 +261,10 @@ Quantity parse_quantity(std::string_view text) {
   const std::string word = trimmed(rest);
   if (word.empty()) return {number, unit::none, false};
   try {
-    Quantity q = parse_unit(word);
-    q.value = scaled(number, q.value);
-    if (!std::isfinite(q.value)) throw Error("", "is too large in SI units");
-    return q;
+    const Scale scale = UnitReader(word).read();
+    const double value = scaled(number, scale);
+    if (!std::isfinite(value)) throw Error("", "is too large in SI units");
+    return {value, scale.dimension, true};
   } catch (const Error& e) {
     throw Error("", "\"" + whole + "\": " + e.cause(), e.remedy());
   }

@@ -57,6 +57,7 @@ void declare_space_shapes(Schema& schema) {
 void declare_shape(Schema& schema) {
   auto s = schema.section("body[].shape").required().doc("What the body looks like.");
   s.text("file")
+      .names_file()
       .doc("A mesh (.msh of Gmsh, .h5 of breccia mesh) or Gmsh geometry (.geo) beside the scene.")
       .example("disc.msh");
   s.text("region").doc("Only this physical group, body or region of the file.").example("rock");
