@@ -24,6 +24,7 @@ DOORS = [
     (r"mpi\.h$", r"src/core/world|src/comm/"),
     (r"(hdf5(_hl)?|H5\w*)\.h$", r"src/io/"),
     (r"metis\.h$", r"src/comm/"),
+    (r"omp\.h$", r"src/mesh/gmsh_"),  # Gmsh changes the number of threads behind our back
     (r"gmsh(c)?\.h(_cwrap)?$", r"src/mesh/"),
     (r"toml(\.hpp|11?/|/)", r"src/io/"),
     (r"CLI/", r"src/app/"),
