@@ -1,0 +1,257 @@
+#include "loops/contact_force.hpp"
+
+#include "loops/list_tools.hpp"
+#include "point/contact_law.hpp"
+#include "point/contact_potential.hpp"
+
+namespace breccia {
+
+namespace {
+
+template <int D>
+KOKKOS_INLINE_FUNCTION
+ContactState<D> load_state(const ContactHistory<D>& history, Index a, int slot) {
+  const double* s = &history.state(a, slot, 0);
+  ContactState<D> state;
+  state.phi = s[0];
+  state.offset = s[1];
+  state.stored = s[2];
+  for (int d = 0; d < D; ++d) {
+    state.slip[d] = s[3 + d];
+    state.force[d] = s[3 + D + d];
+    state.viscous[d] = s[3 + 2 * D + d];
+  }
+  return state;
+}
+
+template <int D>
+KOKKOS_INLINE_FUNCTION
+void store_state(const ContactHistory<D>& history, Index a, int slot,
+                 const ContactState<D>& state) {
+  double* s = &history.state(a, slot, 0);
+  s[0] = state.phi;
+  s[1] = state.offset;
+  s[2] = state.stored;
+  for (int d = 0; d < D; ++d) {
+    s[3 + d] = state.slip[d];
+    s[3 + D + d] = state.force[d];
+    s[3 + 2 * D + d] = state.viscous[d];
+  }
+}
+
+template <int D>
+struct ContactForceLoop {
+  ContactForceIn<D> in;
+  ContactForceOut<D> out;
+
+  /// The point, its memory on entry and on exit.
+  struct Point {
+    Vec<D> x, v, instead;
+    Index element[kContactSlots];
+    ContactState<D> old[kContactSlots];
+    Index next_element[kContactSlots];
+    ContactState<D> next[kContactSlots];
+    int hits = 0;
+    Vec<D> force;
+  };
+
+  KOKKOS_FUNCTION
+  void operator()(Index a, Sums<3>& lost) const {
+    Point point;
+    load(a, point);
+    for (Index p = in.pairs.pair_begin(a); p < in.pairs.pair_begin(a + 1); ++p) {
+      const Index t = in.pairs.target(p);
+      Index node[D + 1];
+      Vec<D> x[D + 1];
+      for (int k = 0; k <= D; ++k) {
+        node[k] = in.surface.nodes(t, k);
+        x[k] = row<D>(in.x, node[k]);
+      }
+      const bool inside = claims<D>(x, node, point.x);
+      in.pairs.hit(p) = inside ? 1 : 0;
+      if (inside) touch(a, p, t, node, x, point, lost);
+    }
+    for (int s = 0; s < kContactSlots; ++s)
+      if (point.element[s] != kNone) leave(point, s, lost);
+    commit(a, point);
+  }
+
+ private:
+  KOKKOS_FUNCTION
+  void load(Index a, Point& point) const {
+    const int q = in.pairs.point(a) % kFacePoints<D>;
+    point.x = point.v = point.force = Vec<D>::zero();
+    Vec<D> x[D];
+    for (int k = 0; k < D; ++k) {
+      const Index n = in.pairs.nodes(a, k);
+      x[k] = row<D>(in.x, n);
+      point.x += x[k] * face_weight<D>(q, k);
+      point.v += row<D>(in.v, n) * face_weight<D>(q, k);
+    }
+    // The face's own outward normal, reversed.
+    const Vec<D> along = x[1] - x[0];
+    const double length = norm(along);
+    point.instead = {-along[1] / length, along[0] / length};
+    for (int s = 0; s < kContactSlots; ++s) {
+      point.element[s] = out.history.element(a, s);
+      if (point.element[s] != kNone) point.old[s] = load_state(out.history, a, s);
+      point.next_element[s] = kNone;
+    }
+  }
+
+  KOKKOS_FUNCTION
+  void commit(Index a, const Point& point) const {
+    for (int s = 0; s < kContactSlots; ++s) {
+      out.history.element(a, s) = point.next_element[s];
+      if (point.next_element[s] != kNone) store_state(out.history, a, s, point.next[s]);
+    }
+    set_row<D>(in.pairs.point_force, a, point.force);
+  }
+
+  /// The memory of the piece that the point is in: of the same element, or of one that shares a node with it.
+  KOKKOS_FUNCTION
+  int remembered(const Point& point, Index element, const Index (&node)[D + 1]) const {
+    for (int s = 0; s < kContactSlots; ++s)
+      if (point.element[s] == element) return s;
+    for (int s = 0; s < kContactSlots; ++s) {
+      if (point.element[s] == kNone) continue;
+      for (int a = 0; a <= D; ++a)
+        for (int b = 0; b <= D; ++b)
+          if (in.element_nodes(point.element[s], a) == node[b]) return s;
+    }
+    return kNone;
+  }
+
+  KOKKOS_FUNCTION
+  ContactParameters parameters(Index a, Index element) const {
+    const Index pair = in.point.material(a) * in.materials + in.element_material(element);
+    const double share = in.table(pair, 1), ratio = in.point.constants(a, 2);
+    ContactParameters p;
+    p.normal = in.point.constants(a, 0) * share;
+    p.damping = in.point.constants(a, 1) * Kokkos::sqrt(share);
+    p.tangential = p.normal * ratio;
+    p.tangential_damping = p.damping * Kokkos::sqrt(ratio);
+    p.friction = in.table(pair, 0);
+    return p;
+  }
+
+  KOKKOS_FUNCTION
+  void touch(Index a, Index p, Index t, const Index (&node)[D + 1], const Vec<D> (&x)[D + 1],
+             Point& point, Sums<3>& lost) const {
+    const Mat<D> inverted = inverse(edge_matrix<D>(x));
+    double l[D + 1];
+    barycentric(inverted, x[0], point.x, l);
+    ContactPotential<D> potential;
+    for (int k = 0; k <= D; ++k) {
+      potential.depth[k] = in.surface.depth(t, k);
+      potential.bubble[k] = in.surface.bubble(t, k);
+      for (int j = 0; j < D; ++j) potential.slope[k][j] = in.surface.slope(t, k, j);
+    }
+    const auto depth = potential.value(l);
+    const Index element = in.surface.target(t);
+    const int slot = remembered(point, element, node);
+    ContactMotion<D> motion;
+    motion.phi = depth.phi;
+    motion.normal = contact_normal(potential, l, depth.edge, inverted, in.smooth, point.instead);
+    motion.velocity = point.v;
+    for (int k = 0; k <= D; ++k) motion.velocity -= row<D>(in.v, node[k]) * l[k];
+    motion.dt = in.dt_before;
+    motion.keep = in.keep;
+    motion.jumped = in.jumped && slot != kNone;
+    const ContactResponse<D> r = contact_response(
+        parameters(a, element), slot == kNone ? ContactState<D>() : point.old[slot], motion);
+    if (slot != kNone) point.element[slot] = kNone;
+    remember(point, element, r.next);
+    point.force += r.next.force;
+    set_row<D>(in.pairs.pair_force, p, r.next.force);
+    for (int k = 0; k <= D; ++k) in.pairs.pair_weight(p, k) = l[k];
+    book(r, lost);
+    if (in.surface.rim(t) != 0)
+      Kokkos::atomic_store(&out.signals.value(ContactSignals::rim), Index(1));
+  }
+
+  KOKKOS_FUNCTION
+  void remember(Point& point, Index element, const ContactState<D>& state) const {
+    if (point.hits == kContactSlots) {
+      Kokkos::atomic_inc(&out.signals.value(ContactSignals::crowded));
+      return;
+    }
+    point.next_element[point.hits] = element;
+    point.next[point.hits] = state;
+    ++point.hits;
+  }
+
+  /// The point is out of a piece that it was in. Having been deeper than it can have moved is a loss.
+  KOKKOS_FUNCTION
+  void leave(const Point& point, int slot, Sums<3>& lost) const {
+    Index node[D + 1];
+    Vec<D> x[D + 1];
+    for (int k = 0; k <= D; ++k) {
+      node[k] = in.element_nodes(point.element[slot], k);
+      x[k] = row<D>(in.x, node[k]);
+    }
+    double l[D + 1];
+    barycentric(inverse(edge_matrix<D>(x)), x[0], point.x, l);
+    Vec<D> way = point.v;
+    for (int k = 0; k <= D; ++k) way -= row<D>(in.v, node[k]) * l[k];
+    way *= in.dt_before;
+    const ContactState<D>& old = point.old[slot];
+    book(contact_ended(old, way), lost);
+    if (old.phi - old.offset > 3 * norm(way))
+      Kokkos::atomic_inc(&out.signals.value(ContactSignals::lost));
+  }
+
+  KOKKOS_FUNCTION
+  static void book(const ContactResponse<D>& r, Sums<3>& lost) {
+    lost[0] += r.friction;
+    lost[1] += r.viscous;
+    lost[2] += r.numeric;
+  }
+};
+
+}  // namespace
+
+template <int D>
+void contact_force(const ContactForceIn<D>& in, const ContactForceOut<D>& out) {
+  for_each_summed<3>("breccia::contact::force", in.pairs.points, out.lost,
+                     ContactForceLoop<D>{in, out});
+}
+
+template <int D>
+void set_contact_points(const ContactSurface<D>& surface, const ContactPairs<D>& pairs,
+                        const Kokkos::View<const Index*, Memory>& element_material,
+                        const ContactStiffness<D>& rule, ContactPointData<D>& point) {
+  make_room(point.constants, pairs.points);
+  make_room(point.material, pairs.points);
+  const ContactPointData<D> to = point;
+  for_each(
+      "breccia::contact::set_points", pairs.points, KOKKOS_LAMBDA(Index a) {
+        const Index i = pairs.facet(a), m = element_material(surface.facet(i) / (D + 1));
+        const double modulus = rule.material(m, 0), h = surface.height(i);
+        const double per_area = rule.fixed > 0 ? rule.fixed : rule.factor * modulus / h;
+        const double dashpot = 2 * rule.damping * Kokkos::sqrt(per_area * rule.material(m, 2) * h);
+        const double share = 0.5 * surface.area(i) / kFacePoints<D>;
+        to.constants(a, 0) = share * per_area;
+        to.constants(a, 1) = share * dashpot;
+        to.constants(a, 2) = rule.material(m, 1) / modulus;
+        to.material(a) = m;
+      });
+}
+
+template <int D>
+void refresh_point_nodes(const ContactSurface<D>& surface, const ContactPairs<D>& pairs) {
+  for_each(
+      "breccia::contact::point_nodes", pairs.points, KOKKOS_LAMBDA(Index a) {
+        const Index i = pairs.facet(a), t = surface.facet_target(i);
+        const int f = surface.facet(i) % (D + 1);
+        for (int k = 0; k < D; ++k) pairs.nodes(a, k) = surface.nodes(t, face_node<D>(f, k));
+      });
+}
+
+template void contact_force<2>(const ContactForceIn<2>&, const ContactForceOut<2>&);
+template void set_contact_points<2>(const ContactSurface<2>&, const ContactPairs<2>&,
+                                    const Kokkos::View<const Index*, Memory>&,
+                                    const ContactStiffness<2>&, ContactPointData<2>&);
+template void refresh_point_nodes<2>(const ContactSurface<2>&, const ContactPairs<2>&);
+
+}  // namespace breccia

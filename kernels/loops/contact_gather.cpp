@@ -1,0 +1,191 @@
+#include "loops/contact_gather.hpp"
+
+#include "loops/list_tools.hpp"
+#include "point/simplex_geometry.hpp"
+
+namespace breccia {
+
+namespace {
+
+/// Weight of a corner at a point of a face of its element; zero at the corner opposite.
+template <int D>
+KOKKOS_INLINE_FUNCTION
+void add_own(int f, int q, const Vec<D>& force, Vec<D> (&sum)[D + 1]) {
+  for (int k = 0; k < D; ++k) sum[face_node<D>(f, k)] += force * face_weight<D>(q, k);
+}
+
+template <int D>
+struct GatherContact {
+  ContactSurface<D> surface;
+  ContactPairs<D> pairs;
+  CornerForces<D> force;
+
+  KOKKOS_FUNCTION
+  void operator()(Index i) const {
+    const Index t = pairs.element(i);
+    Vec<D> sum[D + 1];
+    for (int a = 0; a <= D; ++a) sum[a] = Vec<D>::zero();
+    for (Index a = pairs.own_begin(t); a < pairs.own_begin(t + 1); ++a) {
+      const Index point = pairs.point(a);
+      const int f = (point / kFacePoints<D>) % (D + 1);
+      add_own<D>(f, point % kFacePoints<D>, row<D>(pairs.point_force, a), sum);
+    }
+    for (Index c = pairs.come_begin(t); c < pairs.come_begin(t + 1); ++c) {
+      const Index p = pairs.come(c);
+      if (pairs.hit(p) == 0) continue;
+      const Vec<D> f = row<D>(pairs.pair_force, p);
+      for (int a = 0; a <= D; ++a) sum[a] -= f * pairs.pair_weight(p, a);
+    }
+    const Index e = surface.target(t);
+    for (int a = 0; a <= D; ++a)
+      for (int d = 0; d < D; ++d) force(e, a, d) = sum[a][d];
+  }
+};
+
+/// Where each pair would touch, as far as it counts for the stable step: barycentric weights, or nothing.
+template <int D>
+struct LikelyContact {
+  ContactStiffnessIn<D> in;
+
+  KOKKOS_FUNCTION
+  double distance(Index a, Index p, double (&l)[D + 1]) const {
+    const Index point = in.pairs.point(a), t = in.pairs.target(p),
+                own = in.surface.facet_target(in.pairs.facet(a));
+    const int f = (point / kFacePoints<D>) % (D + 1), q = point % kFacePoints<D>;
+    Vec<D> x[D + 1], at = Vec<D>::zero();
+    for (int k = 0; k <= D; ++k)
+      for (int d = 0; d < D; ++d) x[k][d] = in.surface.place(t, k, d);
+    for (int k = 0; k < D; ++k)
+      for (int d = 0; d < D; ++d)
+        at[d] += face_weight<D>(q, k) * in.surface.place(own, face_node<D>(f, k), d);
+    return square_distance_to_simplex<D>(x, at, l);
+  }
+
+  KOKKOS_FUNCTION
+  bool joined(Index p, Index r) const {
+    for (int a = 0; a <= D; ++a)
+      for (int b = 0; b <= D; ++b)
+        if (in.surface.nodes(in.pairs.target(p), a) == in.surface.nodes(in.pairs.target(r), b))
+          return true;
+    return false;
+  }
+
+  /// Weights of pair p of point a; false when a nearer candidate of the same piece stands for it.
+  KOKKOS_FUNCTION
+  bool counts(Index a, Index p, double (&l)[D + 1]) const {
+    const double d2 = distance(a, p, l);
+    double other[D + 1];
+    for (Index r = in.pairs.pair_begin(a); r < in.pairs.pair_begin(a + 1); ++r) {
+      if (r == p || !joined(p, r)) continue;
+      const double e2 = distance(a, r, other);
+      if (e2 < d2 || (e2 == d2 && r < p)) return false;
+    }
+    return true;
+  }
+
+  KOKKOS_FUNCTION
+  double stiffness(Index a, Index p) const {
+    const Index target = in.surface.target(in.pairs.target(p));
+    const Index pair = in.point.material(a) * in.materials + in.element_material(target);
+    return in.point.constants(a, 0) * in.table(pair, 1);
+  }
+};
+
+/// Point of a pair: the last one whose pairs begin at or before it.
+KOKKOS_INLINE_FUNCTION
+Index point_of(const Array<Index>& begin, Index points, Index p) {
+  Index low = 0, high = points;
+  while (high - low > 1) {
+    const Index middle = low + (high - low) / 2;
+    if (begin(middle) <= p) {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+/// Twice the stiffness at the corners of an involved element.
+template <int D>
+KOKKOS_FUNCTION
+void element_stiffness(const LikelyContact<D>& likely, Index i, const CornerNumbers<D>& sum) {
+  const ContactStiffnessIn<D>& in = likely.in;
+  const Index t = in.pairs.element(i);
+  for (int a = 0; a <= D; ++a) sum(i, a) = 0;
+  double l[D + 1];
+  for (Index a = in.pairs.own_begin(t); a < in.pairs.own_begin(t + 1); ++a) {
+    double k = 0;
+    for (Index p = in.pairs.pair_begin(a); p < in.pairs.pair_begin(a + 1); ++p)
+      if (likely.counts(a, p, l)) k += likely.stiffness(a, p);
+    const Index point = in.pairs.point(a);
+    for (int n = 0; n < D; ++n)
+      sum(i, face_node<D>((point / kFacePoints<D>) % (D + 1), n)) +=
+          2 * k * face_weight<D>(point % kFacePoints<D>, n);
+  }
+  for (Index c = in.pairs.come_begin(t); c < in.pairs.come_begin(t + 1); ++c) {
+    const Index p = in.pairs.come(c), a = point_of(in.pairs.pair_begin, in.pairs.points, p);
+    if (!likely.counts(a, p, l)) continue;
+    const double k = likely.stiffness(a, p);
+    for (int n = 0; n <= D; ++n) sum(i, n) += 2 * k * l[n];
+  }
+}
+
+}  // namespace
+
+template <int D>
+void gather_contact(const ContactSurface<D>& surface, const ContactPairs<D>& pairs,
+                    const CornerForces<D>& force) {
+  for_each("breccia::contact::gather", pairs.elements, GatherContact<D>{surface, pairs, force});
+}
+
+template <int D>
+void flag_contact(const ContactSurface<D>& surface, const ContactPairs<D>& pairs,
+                  const ConstConnectivity<D>& element_nodes, const Array<std::uint32_t>& flags,
+                  std::uint32_t bit, bool set, const CornerForces<D>& force) {
+  for_each(
+      "breccia::contact::flag", pairs.elements, KOKKOS_LAMBDA(Index i) {
+        const Index e = surface.target(pairs.element(i));
+        for (int a = 0; a <= D; ++a) {
+          std::uint32_t* flag = &flags(element_nodes(e, a));
+          if (set) {
+            Kokkos::atomic_or(flag, bit);
+            continue;
+          }
+          Kokkos::atomic_and(flag, ~bit);
+          for (int d = 0; d < D; ++d) force(e, a, d) = 0;
+        }
+      });
+}
+
+template <int D>
+void add_contact_stiffness(const ContactStiffnessIn<D>& in, const Array<double>& stiffness) {
+  if (in.pairs.points == 0) return;
+  const LikelyContact<D> likely{in};
+  const CornerNumbers<D> sum = allocate<CornerNumbers<D>>(
+      "breccia::contact::corner_stiffness", static_cast<std::size_t>(in.pairs.elements));
+  for_each(
+      "breccia::contact::corner_stiffness", in.pairs.elements,
+      KOKKOS_LAMBDA(Index i) { element_stiffness(likely, i, sum); });
+  for_each(
+      "breccia::contact::stiffness", in.nodes, KOKKOS_LAMBDA(Index n) {
+        if ((in.flags(n) & in.bit) == 0) return;
+        double s = 0;
+        for (Index k = in.corners(n, 0); k < in.corners(n, 1); ++k) {
+          const Index corner = in.corner_list(k);
+          const Index t = find_in(in.surface.target, in.surface.targets, corner / (D + 1));
+          const Index i = t == kNone ? kNone : find_in(in.pairs.element, in.pairs.elements, t);
+          if (i != kNone) s += sum(i, corner % (D + 1));
+        }
+        stiffness(n) += s;
+      });
+}
+
+template void gather_contact<2>(const ContactSurface<2>&, const ContactPairs<2>&,
+                                const CornerForces<2>&);
+template void flag_contact<2>(const ContactSurface<2>&, const ContactPairs<2>&,
+                              const ConstConnectivity<2>&, const Array<std::uint32_t>&,
+                              std::uint32_t, bool, const CornerForces<2>&);
+template void add_contact_stiffness<2>(const ContactStiffnessIn<2>&, const Array<double>&);
+
+}  // namespace breccia

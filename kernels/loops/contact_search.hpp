@@ -1,0 +1,56 @@
+#pragma once
+#include "loops/contact_lists.hpp"
+
+namespace breccia {
+
+/// Targets rendered to the cells of a few grids, each four times as coarse as the one before; a target lies in the
+/// grid that fits its size. Cells are kept in a hash table.
+template <int D>
+struct ContactBins {
+  Index entries = 0, buckets = 0;
+  std::uint32_t levels = 0;  ///< bit l: grid l holds targets
+  double cell = 0;           ///< m, of the finest grid
+  Array<Index> begin;        ///< per bucket + 1
+  Array<Index> fill;
+  Array<std::uint64_t> tag;  ///< per entry: the cell, exactly
+  Array<Index> target;       ///< per entry
+};
+
+/// Memory of the search, kept from one to the next.
+template <int D>
+struct ContactSearchScratch {
+  ContactBins<D> bins;
+  Array<Index> count;
+};
+
+/// Remembers where the targets' nodes are now.
+template <int D>
+void take_contact_places(const ConstVectors<D>& x, const ContactSurface<D>& surface);
+
+/// Largest way of a target's node since the last search, m, and largest speed, m/s.
+struct ContactWay {
+  double way = 0, speed = 0;
+};
+template <int D>
+ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
+                       const ContactSurface<D>& surface);
+
+/// Smallest size of an element behind the surface, m.
+template <int D>
+double smallest_contact_size(const ContactSurface<D>& surface);
+
+/// All pairs (contact point, target) whose distance at `surface.place` is at most `skin`, without targets that share a
+/// node with the point's face. As long as no node has moved more than skin / 2, no contact is missed. Lists are
+/// ascending, so they do not depend on the number of threads.
+template <int D>
+void search_contacts(const ContactSurface<D>& surface, double skin,
+                     ContactSearchScratch<D>& scratch, ContactPairs<D>& pairs);
+
+extern template void take_contact_places<2>(const ConstVectors<2>&, const ContactSurface<2>&);
+extern template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>&,
+                                          const ContactSurface<2>&);
+extern template double smallest_contact_size<2>(const ContactSurface<2>&);
+extern template void search_contacts<2>(const ContactSurface<2>&, double, ContactSearchScratch<2>&,
+                                        ContactPairs<2>&);
+
+}  // namespace breccia

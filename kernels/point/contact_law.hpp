@@ -1,0 +1,110 @@
+#pragma once
+#include "base/vec.hpp"
+
+namespace breccia {
+
+/// Memory of one contact point against one piece of material.
+template <int D>
+struct ContactState {
+  double phi = 0;                   ///< depth that the force was made with, m
+  double offset = 0;                ///< what is left of a jump of the potential, m
+  double stored = 0;                ///< J
+  Vec<D> slip = Vec<D>::zero();     ///< elastic slip, m
+  Vec<D> force = Vec<D>::zero();    ///< on the contactor, N
+  Vec<D> viscous = Vec<D>::zero();  ///< its viscous part, N
+};
+
+/// Stiffnesses and dashpots of the point: per area times the area that it stands for.
+struct ContactParameters {
+  double normal = 0;              ///< k, N/m
+  double tangential = 0;          ///< k_t, N/m
+  double damping = 0;             ///< c, N s/m
+  double tangential_damping = 0;  ///< c_t, N s/m
+  double friction = 0;            ///< mu, 1
+};
+
+/// Motion of the point relative to the target since the last step.
+template <int D>
+struct ContactMotion {
+  double phi;       ///< depth now, m
+  Vec<D> normal;    ///< of the target, outwards
+  Vec<D> velocity;  ///< of the point relative to the target at t^(n-1/2), m/s
+  double dt;        ///< length of the last step, s
+  double keep;      ///< share of a jump of the potential that is left after this step
+  bool jumped;      ///< the potential has been computed anew since the last step
+};
+
+template <int D>
+struct ContactResponse {
+  ContactState<D> next;
+  double friction = 0, viscous = 0, numeric = 0;  ///< J lost since the last step
+};
+
+/// Force of a contact point (ALGORITHMS ).
+///
+// symbols  phi [m] depth  n [1] outward normal of the target  e [m] elastic slip
+//          v [m/s] velocity of the point relative to the target  k, k_t [N/m]  c, c_t [N s/m]
+// eq:contact-1   F_n = max(0, k phi - c v.n)                     never tensile
+// eq:contact-2   e* = e turned into the tangent plane + v_t dt
+// eq:contact-3   e = e* while k_t |e*| <= mu F_n (sticks), else mu F_n / k_t along e* (slips)
+// eq:contact-4   F_t = k_t e, and + c_t v_t up to mu F_n while it sticks
+// eq:contact-5   F = F_n n - F_t on the contactor
+// Energies of a step are exact for the trapezoidal work W = (F_old + F)/2 . v dt, which is what
+// the leapfrog books: stored k phi^2/2 + k_t e^2/2; friction k_t (e_old + e)/2 . (e* - e);
+// viscous -(V_old + V)/2 . v dt; what remains is numeric: curvature of the path, smooth direction,
+// jumps of the potential.
+template <int D>
+KOKKOS_FUNCTION
+ContactResponse<D> contact_response(const ContactParameters& p, const ContactState<D>& old,
+                                    const ContactMotion<D>& motion) {
+  const Vec<D>& n = motion.normal;
+  const double closing = -dot(motion.velocity, n);
+  ContactResponse<D> r;
+  ContactState<D>& s = r.next;
+  s.offset = motion.jumped ? old.phi + closing * motion.dt - motion.phi : old.offset * motion.keep;
+  s.phi = motion.phi + s.offset;
+  if (!(s.phi > 0)) s.phi = 0;
+  const double elastic = p.normal * s.phi;
+  const double damped = elastic + p.damping * closing;
+  const double pressing = s.phi > 0 && damped > 0 ? damped : 0;  // eq:contact-1
+
+  Vec<D> dragging = Vec<D>::zero(), sticking = Vec<D>::zero();
+  if (p.friction > 0) {
+    const Vec<D> v_t = motion.velocity + n * closing;
+    Vec<D> e = old.slip - n * dot(old.slip, n);
+    const double length2 = norm2(e);
+    if (length2 > 0) e *= Kokkos::sqrt(norm2(old.slip) / length2);
+    const Vec<D> before = e;
+    e += v_t * motion.dt;  // eq:contact-2
+    const double cap = p.friction * pressing, size = p.tangential * norm(e);
+    s.slip = size <= cap ? e : e * (cap / size);  // eq:contact-3
+    dragging = s.slip * p.tangential;
+    if (size <= cap) {  // eq:contact-4
+      dragging += v_t * p.tangential_damping;
+      const double most = norm(dragging);
+      if (most > cap) dragging *= cap / most;
+      sticking = dragging - s.slip * p.tangential;
+    }
+    r.friction = 0.5 * p.tangential * dot(before + s.slip, e - s.slip);
+  }
+  s.force = n * pressing - dragging;  // eq:contact-5
+  s.viscous = n * (pressing - elastic) - sticking;
+  s.stored = 0.5 * (elastic * s.phi + p.tangential * norm2(s.slip));
+  const Vec<D> way = motion.velocity * motion.dt;
+  r.viscous = -0.5 * dot(old.viscous + s.viscous, way);
+  r.numeric =
+      -0.5 * dot(old.force + s.force, way) - (s.stored - old.stored) - r.friction - r.viscous;
+  return r;
+}
+
+/// The point has left the target: its energy is given back by the last half step of its force.
+template <int D>
+KOKKOS_FUNCTION
+ContactResponse<D> contact_ended(const ContactState<D>& old, const Vec<D>& way) {
+  ContactResponse<D> r;
+  r.viscous = -0.5 * dot(old.viscous, way);
+  r.numeric = -0.5 * dot(old.force, way) + old.stored - r.viscous;
+  return r;
+}
+
+}  // namespace breccia

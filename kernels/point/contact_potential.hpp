@@ -1,0 +1,121 @@
+#pragma once
+#include "base/simplex.hpp"
+#include "point/simplex_geometry.hpp"
+
+namespace breccia {
+
+/// Contact potential of one element: how deep a point is inside its piece of material (ALGORITHMS ).
+///
+// symbols  phi [m] depth below the surface      L_k [1] barycentric coordinates of the point
+//          phi_k [m] depth of node k, measured in the reference configuration; 0 on the surface
+//          b_f [m] bubble of face f, see below   G [1] gradient of phi, of length about 1
+//          s_k,j [m] reference gradient at node k times reference edge j: the edges deform, the numbers do not
+// eq:contact-potential-1   phi = sum_k L_k phi_k + max_f b_f min over the nodes i of f (L_i)
+//   The second term serves faces that are not surface but whose nodes all are (a chord across a corner or a thin
+//   strip): without it phi would vanish on them. b_f is D times the depth at the middle of the face.
+// eq:contact-potential-2   phi = min_f h_f L_f in an element all of whose faces are surface: its exact depth. The
+//   heights h_f are stored as negative bubbles.
+template <int D>
+struct ContactPotential {
+  double depth[D + 1];
+  double bubble[D + 1];
+  double slope[D + 1][D];
+
+  KOKKOS_INLINE_FUNCTION
+  bool single() const { return bubble[0] < 0; }
+
+  struct Value {
+    double phi;      ///< m
+    double edge[D];  ///< gradient of phi in the element times edge j, m
+  };
+
+  /// phi and its gradient inside the element (eq:contact-potential-1 and -2).
+  KOKKOS_FUNCTION
+  Value value(const double (&l)[D + 1]) const {
+    if (single()) return single_value(l);
+    Value r{0, {}};
+    for (int k = 0; k <= D; ++k) r.phi += l[k] * depth[k];
+    for (int j = 0; j < D; ++j) r.edge[j] = depth[j + 1] - depth[0];
+    int node = -1;
+    double most = 0, height = 0;
+    for (int f = 0; f <= D; ++f) {
+      if (bubble[f] == 0) continue;
+      int least = face_node<D>(f, 0);
+      for (int i = 1; i < D; ++i)
+        if (l[face_node<D>(f, i)] < l[least]) least = face_node<D>(f, i);
+      if (node >= 0 && !(bubble[f] * l[least] > most)) continue;
+      most = bubble[f] * l[least];
+      height = bubble[f];
+      node = least;
+    }
+    if (node < 0) return r;
+    r.phi += most;
+    add_weight(node, height, r.edge);
+    return r;
+  }
+
+  /// Smooth gradient: that of the nodes, interpolated.
+  KOKKOS_FUNCTION
+  void smooth(const double (&l)[D + 1], double (&edge)[D]) const {
+    for (int j = 0; j < D; ++j) {
+      edge[j] = 0;
+      for (int k = 0; k <= D; ++k) edge[j] += l[k] * slope[k][j];
+    }
+  }
+
+ private:
+  KOKKOS_FUNCTION
+  Value single_value(const double (&l)[D + 1]) const {
+    Value r{-bubble[0] * l[0], {}};
+    int least = 0;
+    for (int f = 1; f <= D; ++f)
+      if (-bubble[f] * l[f] < r.phi) {
+        r.phi = -bubble[f] * l[f];
+        least = f;
+      }
+    for (int j = 0; j < D; ++j) r.edge[j] = 0;
+    add_weight(least, -bubble[least], r.edge);
+    return r;
+  }
+
+  /// Adds height times the gradient of L_node.
+  KOKKOS_INLINE_FUNCTION
+  static void add_weight(int node, double height, double (&edge)[D]) {
+    for (int j = 0; j < D; ++j) edge[j] += node == 0 ? -height : (node == j + 1 ? height : 0.0);
+  }
+};
+
+/// A gradient given by its products with the edges, in space: solves G . edge_j = product_j.
+template <int D>
+KOKKOS_INLINE_FUNCTION
+Vec<D> gradient_in_space(const Mat<D>& inverse_edges, const double (&product)[D]) {
+  Vec<D> g = Vec<D>::zero();
+  for (int j = 0; j < D; ++j)
+    for (int i = 0; i < D; ++i) g[i] += inverse_edges(j, i) * product[j];
+  return g;
+}
+
+/// Shorter than this, the smooth gradient says nothing (the middle of a thin strip, say).
+inline constexpr double kShortGradient = 0.2;
+
+/// Outward normal of the target at the point. `smooth` false gives the exact gradient of phi in the element. When
+/// both gradients are too short, `instead` (the reversed normal of the contactor's face).
+template <int D>
+KOKKOS_FUNCTION
+Vec<D> contact_normal(const ContactPotential<D>& potential, const double (&l)[D + 1],
+                      const double (&edge)[D], const Mat<D>& inverse_edges, bool smooth,
+                      const Vec<D>& instead) {
+  if (smooth) {
+    double product[D];
+    potential.smooth(l, product);
+    const Vec<D> g = gradient_in_space<D>(inverse_edges, product);
+    const double length = norm(g);
+    if (length >= kShortGradient) return g * (-1 / length);
+  }
+  const Vec<D> g = gradient_in_space<D>(inverse_edges, edge);
+  const double length = norm(g);
+  if (length >= kShortGradient) return g * (-1 / length);
+  return instead;
+}
+
+}  // namespace breccia

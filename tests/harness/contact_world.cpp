@@ -1,0 +1,209 @@
+#include "harness/contact_world.hpp"
+
+#include <algorithm>
+
+namespace breccia {
+
+namespace {
+constexpr std::uint8_t kReleased = 2;
+constexpr std::uint32_t kBit = 16;
+}  // namespace
+
+ContactWorld::ContactWorld(Mesh<2> m) : mesh(std::move(m)), topology(build_topology(mesh)) {
+  const auto points = static_cast<std::size_t>(mesh.points());
+  const auto elements = static_cast<std::size_t>(mesh.elements());
+  for (const Point<2>& p : mesh.point) x.push_back({{p[0], p[1]}});
+  v.assign(points, Vec<2>::zero());
+  released.assign(topology.shared.size(), 0);
+  nodes_ = Connectivity<2>("nodes", elements);
+  const auto nodes = Kokkos::create_mirror_view(nodes_);
+  for (std::size_t e = 0; e < elements; ++e)
+    for (int a = 0; a < 3; ++a) nodes(e, a) = mesh.element[e][a];
+  Kokkos::deep_copy(nodes_, nodes);
+  x_ = Vectors<2>("x", points);
+  v_ = Vectors<2>("v", points);
+  reference_ = Vectors<2>("reference", points);
+  upload();
+  Kokkos::deep_copy(reference_, x_);
+  corners_ = Ranges("corners", points);
+  const auto corners = Kokkos::create_mirror_view(corners_);
+  for (std::size_t n = 0; n < points; ++n)
+    for (int s = 0; s < 2; ++s) corners(n, s) = topology.family_start[n + s];
+  Kokkos::deep_copy(corners_, corners);
+  corner_list_ = to_device("corner_list", topology.family_corner);
+  std::vector<Index> free;
+  for (const ElementFace& f : topology.free) free.push_back(f.element * 3 + f.face);
+  free_ = to_device("free", free);
+  material_ = Array<Index>("material", elements);
+  std::vector<std::uint8_t> code;
+  face_elements_ = Ranges("face_elements", topology.shared.size());
+  const auto sides = Kokkos::create_mirror_view(face_elements_);
+  for (std::size_t i = 0; i < topology.shared.size(); ++i) {
+    const SharedFace& f = topology.shared[i];
+    sides(i, 0) = f.left;
+    sides(i, 1) = f.right;
+    code.push_back(static_cast<std::uint8_t>(f.left_face | f.right_face << 2));
+  }
+  Kokkos::deep_copy(face_elements_, sides);
+  code_ = to_device("code", code);
+  flags_ = Array<std::uint32_t>("flags", points);
+  force_ = CornerForces<2>("force", elements);
+  signals_.value = Array<Index>("signals", ContactSignals::count);
+}
+
+void ContactWorld::upload() const {
+  const auto hx = Kokkos::create_mirror_view(x_);
+  const auto hv = Kokkos::create_mirror_view(v_);
+  for (std::size_t n = 0; n < x.size(); ++n)
+    for (int d = 0; d < 2; ++d) {
+      hx(n, d) = x[n][d];
+      hv(n, d) = v[n][d];
+    }
+  Kokkos::deep_copy(x_, hx);
+  Kokkos::deep_copy(v_, hv);
+}
+
+void ContactWorld::update_surface() {
+  std::vector<std::uint8_t> status;
+  for (const char r : released) status.push_back(r ? kReleased : 0);
+  status_ = to_device("status", status);
+  ContactSurfaceIn<2> in;
+  in.nodes = mesh.points();
+  in.elements = mesh.elements();
+  in.faces = static_cast<Index>(released.size());
+  in.element_nodes = nodes_;
+  in.reference = reference_;
+  in.corners = corners_;
+  in.corner_list = corner_list_;
+  in.free_facet = free_;
+  in.face_status = status_;
+  in.face_code = code_;
+  in.face_elements = face_elements_;
+  in.released = kReleased;
+  in.layers = layers;
+  update_contact_surface(in, scratch_, surface);
+}
+
+void ContactWorld::search() {
+  upload();
+  flag_contact<2>(surface, pairs, nodes_, flags_, kBit, false, force_);
+  take_contact_places<2>(x_, surface);
+  search_contacts(surface, skin, search_scratch_, pairs);
+  refresh_point_nodes(surface, pairs);
+  flag_contact<2>(surface, pairs, nodes_, flags_, kBit, true, force_);
+  ContactStiffness<2> rule;
+  rule.fixed = stiffness;
+  rule.damping = xi;
+  Kokkos::View<double* [3], Rows, Memory> material("material", 1);
+  Kokkos::deep_copy(material, 1.0);
+  rule.material = material;
+  set_contact_points<2>(surface, pairs, material_, rule, point_);
+  history.element = decltype(history.element)("element", pairs.points);
+  Kokkos::deep_copy(history.element, kNone);
+  history.state = decltype(history.state)("state", pairs.points);
+  lost_ = ChunkSums<3>("lost", chunks_of(pairs.points));
+  table_ = ContactTable("table", 1);
+  const auto table = Kokkos::create_mirror_view(table_);
+  table(0, 0) = friction;
+  table(0, 1) = 1;
+  Kokkos::deep_copy(table_, table);
+}
+
+void ContactWorld::force() {
+  upload();
+  ContactForceIn<2> in;
+  in.surface = surface;
+  in.pairs = pairs;
+  in.point = point_;
+  in.x = x_;
+  in.v = v_;
+  in.element_nodes = nodes_;
+  in.element_material = material_;
+  in.table = table_;
+  in.materials = 1;
+  in.dt_before = dt_before;
+  in.keep = keep;
+  in.jumped = jumped;
+  in.smooth = smooth;
+  contact_force<2>(in, {history, signals_, lost_});
+  gather_contact<2>(surface, pairs, force_);
+}
+
+double ContactWorld::stored() const {
+  const auto element = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, history.element);
+  const auto state = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, history.state);
+  double sum = 0;
+  for (Index a = 0; a < pairs.points; ++a)
+    for (int s = 0; s < kContactSlots; ++s) sum += element(a, s) == kNone ? 0 : state(a, s, 2);
+  return sum;
+}
+
+Index ContactWorld::signal(int which) const {
+  return to_host(signals_.value, ContactSignals::count)[which];
+}
+
+std::vector<Vec<2>> ContactWorld::corner_force() const {
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, force_);
+  std::vector<Vec<2>> force;
+  for (Index e = 0; e < mesh.elements(); ++e)
+    for (int a = 0; a < 3; ++a) force.push_back({{host(e, a, 0), host(e, a, 1)}});
+  return force;
+}
+
+std::vector<Vec<2>> ContactWorld::node_force() const {
+  const std::vector<Vec<2>> corner = corner_force();
+  std::vector<Vec<2>> force(x.size(), Vec<2>::zero());
+  for (std::size_t c = 0; c < corner.size(); ++c) force[mesh.element[c / 3][c % 3]] += corner[c];
+  return force;
+}
+
+Vec<2> ContactWorld::point_force(Index body) const {
+  const auto force = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, pairs.point_force);
+  const auto point = to_host(pairs.point, pairs.points);
+  Vec<2> sum = Vec<2>::zero();
+  for (Index a = 0; a < pairs.points; ++a)
+    if (mesh.body[point[a] / kFacePoints<2> / 3] == body) sum += row<2>(force, a);
+  return sum;
+}
+
+Index ContactWorld::touching() const {
+  const auto hit = to_host(pairs.hit, pairs.pairs);
+  return static_cast<Index>(std::count(hit.begin(), hit.end(), 1));
+}
+
+std::vector<std::pair<Index, Index>> ContactWorld::candidates() const {
+  const auto point = to_host(pairs.point, pairs.points);
+  const auto begin = to_host(pairs.pair_begin, pairs.points + 1);
+  const auto target = to_host(pairs.target, pairs.pairs);
+  const auto element = to_host(surface.target, surface.targets);
+  std::vector<std::pair<Index, Index>> list;
+  for (Index a = 0; a < pairs.points; ++a)
+    for (Index p = begin[a]; p < begin[a + 1]; ++p) list.emplace_back(point[a], element[target[p]]);
+  return list;
+}
+
+ContactWay ContactWorld::way() const {
+  upload();
+  return contact_way<2>(x_, v_, surface);
+}
+
+std::vector<double> ContactWorld::node_stiffness() const {
+  Array<double> stiffness_at("stiffness", mesh.points());
+  ContactStiffnessIn<2> in;
+  in.surface = surface;
+  in.pairs = pairs;
+  in.point = point_;
+  in.element_material = material_;
+  in.table = table_;
+  in.materials = 1;
+  in.element_nodes = nodes_;
+  in.corners = corners_;
+  in.corner_list = corner_list_;
+  in.flags = flags_;
+  in.bit = kBit;
+  in.nodes = mesh.points();
+  add_contact_stiffness(in, stiffness_at);
+  return to_host(stiffness_at, mesh.points());
+}
+
+}  // namespace breccia
