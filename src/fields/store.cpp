@@ -17,6 +17,11 @@ void Store::set_count(Entity entity, Index count) {
   size.count = count;
 }
 
+void Store::copy_rows(Entity entity, const Array<Index>& from, Index first, Index n) {
+  for (SlotBase* slot : order_)
+    if (slot->info().entity == entity) slot->copy_rows(from, first, n);
+}
+
 std::size_t Store::bytes(const std::string& owner) const {
   std::size_t n = 0;
   for (const SlotBase* slot : order_)

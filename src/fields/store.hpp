@@ -1,4 +1,5 @@
 #pragma once
+#include "fields/copy_rows.hpp"
 #include "fields/field.hpp"
 
 #include <array>
@@ -24,6 +25,9 @@ class Store {
   /// their values; new room is zero.
   void set_size(Entity entity, Index count, Index capacity);
   void set_count(Entity entity, Index count);
+  /// In every field of the entity, rows first ... first + n - 1 become copies of rows from(0) ...
+  /// from(n - 1): how a node that splits hands on all that it carries.
+  void copy_rows(Entity entity, const Array<Index>& from, Index first, Index n);
   Index count(Entity entity) const { return size_[index(entity)].count; }
   Index capacity(Entity entity) const { return size_[index(entity)].capacity; }
 
@@ -84,6 +88,7 @@ class Store {
     virtual ~SlotBase() = default;
     virtual FieldInfo info() const = 0;
     virtual void resize(Index capacity) = 0;
+    virtual void copy_rows(const Array<Index>& from, Index first, Index n) = 0;
     virtual std::size_t bytes() const = 0;
     virtual std::size_t bytes_per_entity() const = 0;
     virtual void read(std::vector<char>& to, Index count) const = 0;
@@ -97,6 +102,9 @@ class Store {
         : SlotBase(std::move(o)), view("breccia::" + std::string(Field::info.name), capacity) {}
     FieldInfo info() const override { return Field::info; }
     void resize(Index capacity) override { Kokkos::resize(view, capacity); }
+    void copy_rows(const Array<Index>& from, Index first, Index n) override {
+      for_each("breccia::fields::copy_rows", n, CopyRows<View>{view, from, first});
+    }
     std::size_t bytes() const override { return view.span() * sizeof(typename View::value_type); }
     std::size_t bytes_per_entity() const override {
       std::size_t n = sizeof(typename View::value_type);

@@ -1,0 +1,30 @@
+#pragma once
+#include "loops/element_stress.hpp"
+#include "loops/interface_views.hpp"
+
+namespace breccia {
+
+/// What the insertion check looks at.
+template <int D>
+struct FaceOnsetIn {
+  FaceMap<D> faces;
+  ConstArray<std::uint8_t> status;  ///< 0: bonded (fields/common_fields.hpp)
+  ElementStress<D> stress;
+  ConstArray<std::uint8_t> hot;  ///< per element
+  ConstArray<Index> law_of;      ///< law of materials (left, right) at left * materials + right
+  Index materials;
+  ConstArray<InterfaceLaw> laws;
+};
+
+/// Bonded faces of the listed elements whose traction reaches the onset (ALGORITHMS ), each
+/// once, by element and local face. `mark` and `found` have room for D + 1 entries per element.
+template <int D>
+Index find_onset(const FaceOnsetIn<D>& in, const ConstArray<Index>& elements, Index count,
+                 const Array<std::uint8_t>& mark, const Array<Index>& found);
+
+extern template Index find_onset<2>(const FaceOnsetIn<2>&, const ConstArray<Index>&, Index,
+                                    const Array<std::uint8_t>&, const Array<Index>&);
+extern template Index find_onset<3>(const FaceOnsetIn<3>&, const ConstArray<Index>&, Index,
+                                    const Array<std::uint8_t>&, const Array<Index>&);
+
+}  // namespace breccia

@@ -1,0 +1,36 @@
+#pragma once
+#include "loops/interface_views.hpp"
+
+namespace breccia {
+
+/// Looks after the acting interfaces list(0) ... list(count - 1) once their laws have spoken.
+template <int D>
+struct InterfaceBreaks {
+  InterfaceMap<D> map;
+  ConstArray<Index> list;
+  Index count;
+  Array<std::uint8_t> status;  ///< of faces
+
+  /// Interfaces whose corners have all broken since the last call, into `broken`; returns how many.
+  Index find(const Array<Index>& broken) const;
+
+  /// How many leave after this step.
+  Index leaving() const;
+
+  /// Releases the faces of broken(0) ... broken(n - 1). Where `slip` exists, it gets the elastic
+  /// slip of their corners in global components, m.
+  void release(const Array<Index>& broken, Index n, const ConstConnectivity<D>& nodes,
+               const ConstVectors<D>& x, const ConstCornerStates<D>& state,
+               const PairForces<D>& slip) const;
+};
+
+/// Interfaces [0, count) that were leaving are gone, and their forces with them.
+template <int D>
+void retire_interfaces(Index count, const Array<std::uint8_t>& life, const PairForces<D>& force);
+
+extern template struct InterfaceBreaks<2>;
+extern template struct InterfaceBreaks<3>;
+extern template void retire_interfaces<2>(Index, const Array<std::uint8_t>&, const PairForces<2>&);
+extern template void retire_interfaces<3>(Index, const Array<std::uint8_t>&, const PairForces<3>&);
+
+}  // namespace breccia

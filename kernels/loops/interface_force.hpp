@@ -1,0 +1,44 @@
+#pragma once
+#include "loops/interface_views.hpp"
+
+namespace breccia {
+
+/// Interfaces list[begin] ... list[end - 1], all of one law.
+template <int D>
+struct InterfaceForceIn {
+  FaceMap<D> faces;
+  ConstConnectivity<D> element_nodes;
+  ConstVectors<D> x;  ///< m, at t^n
+  ConstArray<Index> list;
+  Index begin, end;
+  ConstArray<InterfaceRecord> record;
+  ConstCornerFlags<D> active;
+  CohesiveStrength strength;
+  double rate;        ///< one over the last step, 1/s; 0 in the first
+  bool leave_broken;  ///< contact takes broken faces over
+  double thickness;   ///< m, 1 in 3D
+};
+
+template <int D>
+struct InterfaceForceOut {
+  CornerStates<D> state;
+  CornerEnergies<D> energy;
+  PairForces<D> force;       ///< N on the left corner; the right one gets the opposite
+  Array<std::uint8_t> life;  ///< interface_life
+};
+
+/// Tractions of inserted faces at their corners, each with 1/D of the reference area
+/// (Newton-Cotes). A corner whose family has not split yet carries none.
+template <int D, class Softening>
+void interface_force(const InterfaceForceIn<D>& in, const InterfaceForceOut<D>& out);
+
+extern template void interface_force<2, LinearSoftening>(const InterfaceForceIn<2>&,
+                                                         const InterfaceForceOut<2>&);
+extern template void interface_force<3, LinearSoftening>(const InterfaceForceIn<3>&,
+                                                         const InterfaceForceOut<3>&);
+extern template void interface_force<2, ZCurve>(const InterfaceForceIn<2>&,
+                                                const InterfaceForceOut<2>&);
+extern template void interface_force<3, ZCurve>(const InterfaceForceIn<3>&,
+                                                const InterfaceForceOut<3>&);
+
+}  // namespace breccia

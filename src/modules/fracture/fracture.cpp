@@ -1,0 +1,268 @@
+#include "modules/fracture/fracture.hpp"
+
+#include "fields/interface_fields.hpp"
+#include "loops/interface_books.hpp"
+#include "loops/interface_breaks.hpp"
+#include "loops/interface_force.hpp"
+#include "modules/fracture/crack_pictures.hpp"
+#include "modules/fracture/fracture_fields.hpp"
+
+#include <cstring>
+#include <utility>
+
+namespace breccia {
+
+template <int D>
+bool Fracture<D>::wanted(const Settings& scene) {
+  return !scene.children("fracture").empty() || !scene.list("interface").empty();
+}
+
+template <int D>
+void Fracture<D>::declare(Model<D>& model) {
+  laws_ = read_interface_laws(*model.scene, model.materials);
+  check_interface_laws(laws_, model);
+  // Contact in space does not exist yet; broken pairs then go on pressing by themselves.
+  contact_follows_ = D == 2 && model.scene->has("contact");
+  Store& s = model.store;
+  const auto faces = static_cast<Index>(model.topology.shared.size());
+  s.set_size(Entity::face, faces, faces);
+  s.add<FaceStatus>(key());
+  s.add<FaceElements>(key());
+  s.add<FaceCode>(key());
+  s.add<FaceInterface>(key());
+  s.add<ElementFaces<D>>(key());
+  s.add<ElementHot>(key());
+  s.add<InterfaceForce<D>>(key());
+  s.add<InterfaceRecords>(key());
+  s.add<InterfaceLife>(key());
+  s.add<InterfaceActive<D>>(key());
+  s.add<InterfaceStates<D>>(key());
+  s.add<InterfaceEnergies<D>>(key());
+  s.add<InterfacePairForce<D>>(key());
+  if (contact_follows_) s.add<InterfaceSlip<D>>(key());
+}
+
+template <int D>
+void Fracture<D>::bind(Model<D>& model) {
+  const auto status = Kokkos::create_mirror_view(model.store.template get<FaceStatus>());
+  const auto& shared = model.topology.shared;
+  for (std::size_t f = 0; f < shared.size(); ++f) {
+    const Index law = laws_.between(model.body_material[model.mesh.body[shared[f].left]],
+                                    model.body_material[model.mesh.body[shared[f].right]]);
+    status(f) = law == kNone ? face_status::tied : face_status::bonded;
+  }
+  Kokkos::deep_copy(model.store.template get<FaceStatus>(), status);
+  Kokkos::deep_copy(model.store.template get<FaceInterface>(), kNone);
+  resume(model);
+  insertion_.start(model);
+  rebuild(model);
+  lists_are_stale_ = false;
+}
+
+template <int D>
+void Fracture<D>::resume(Model<D>& model) {
+  fill_faces(model);
+  std::vector<std::uint8_t> z_curve;
+  for (const InterfaceLaw& law : laws_.laws) z_curve.push_back(law.z_curve ? 1 : 0);
+  z_curve_ = to_device("breccia::fracture::z_curve", z_curve);
+  insertion_.prepare(model, laws_);
+  for (Block& block : model.blocks) block.watch = watch_for(laws_, block.material);
+  lists_are_stale_ = true;
+}
+
+/// What the topology says about faces, on the device.
+template <int D>
+void Fracture<D>::fill_faces(Model<D>& model) {
+  Store& s = model.store;
+  const auto& shared = model.topology.shared;
+  const auto elements = Kokkos::create_mirror_view(s.get<FaceElements>());
+  const auto code = Kokkos::create_mirror_view(s.get<FaceCode>());
+  const auto of_element = Kokkos::create_mirror_view(s.get<ElementFaces<D>>());
+  Kokkos::deep_copy(of_element, kNone);
+  breakable_ = 0;
+  for (std::size_t f = 0; f < shared.size(); ++f) {
+    const SharedFace& face = shared[f];
+    elements(f, 0) = face.left;
+    elements(f, 1) = face.right;
+    code(f) = static_cast<std::uint8_t>(face.left_face | face.right_face << 2 | face.rotation << 4);
+    of_element(face.left, face.left_face) = static_cast<Index>(f);
+    of_element(face.right, face.right_face) = static_cast<Index>(f);
+    const Index law = laws_.between(model.body_material[model.mesh.body[face.left]],
+                                    model.body_material[model.mesh.body[face.right]]);
+    breakable_ += law == kNone ? 0 : 1;
+  }
+  Kokkos::deep_copy(s.get<FaceElements>(), elements);
+  Kokkos::deep_copy(s.get<FaceCode>(), code);
+  Kokkos::deep_copy(s.get<ElementFaces<D>>(), of_element);
+}
+
+template <int D>
+void Fracture<D>::enlist(Model<D>& model, Plan& plan) {
+  plan.add(Stage::interface_force, "fracture::interface_force", key(),
+           [this, &model](const Clock& clock) { forces(model, clock); })
+      .template reading<NodePosition<D>, ElementNodes<D>>()
+      .template writing<InterfaceForce<D>, InterfaceStates<D>, FaceStatus>();
+  plan.add(Stage::split, "fracture::split", key(),
+           [this, &model](const Clock&) {
+             if (insertion_.check(model) == 0) return;
+             rebuild(model);
+             book_forces(model);
+           })
+      .template reading<ElementHot, ElementForce<D>, InterfaceForce<D>, NodePosition<D>>()
+      .template writing<FaceStatus, NodeCorners, CornerList, ElementNodes<D>, InterfaceForce<D>>();
+}
+
+template <int D>
+void Fracture<D>::forces(Model<D>& model, const Clock& clock) {
+  if (lists_are_stale_) retire(model);
+  if (lists_.size() == 0) return;
+  act(model, clock);
+  book_forces(model);
+  collect_breaks(model, clock);
+}
+
+/// Interfaces that left in the last step are gone, their forces with them.
+template <int D>
+void Fracture<D>::retire(Model<D>& model) {
+  const Store& s = model.store;
+  retire_interfaces<D>(s.count(Entity::interface), s.get<InterfaceLife>(),
+                       s.get<InterfacePairForce<D>>());
+  rebuild(model);
+  lists_are_stale_ = false;
+}
+
+template <int D>
+void Fracture<D>::rebuild(const Model<D>& model) {
+  clear_corner_forces<D>(lists_.elements(), lists_.element_count(),
+                         model.store.template get<InterfaceForce<D>>());
+  lists_.rebuild(model, laws_.laws.size());
+}
+
+template <int D>
+void Fracture<D>::act(const Model<D>& model, const Clock& clock) const {
+  const Store& s = model.store;
+  InterfaceForceIn<D> in;
+  in.faces = face_map<D>(s);
+  in.element_nodes = s.get<ElementNodes<D>>();
+  in.x = s.get<NodePosition<D>>();
+  in.list = lists_.list();
+  in.record = s.get<InterfaceRecords>();
+  in.active = s.get<InterfaceActive<D>>();
+  in.rate = clock.dt_before > 0 ? 1 / clock.dt_before : 0;
+  in.leave_broken = contact_follows_;
+  in.thickness = model.thickness;
+  const InterfaceForceOut<D> out{s.get<InterfaceStates<D>>(), s.get<InterfaceEnergies<D>>(),
+                                 s.get<InterfacePairForce<D>>(), s.get<InterfaceLife>()};
+  for (std::size_t l = 0; l < laws_.laws.size(); ++l) {
+    in.begin = lists_.begin(l);
+    in.end = lists_.begin(l + 1);
+    in.strength = laws_.laws[l].strength;
+    if (laws_.laws[l].z_curve)
+      interface_force<D, ZCurve>(in, out);
+    else
+      interface_force<D, LinearSoftening>(in, out);
+  }
+}
+
+template <int D>
+void Fracture<D>::book_forces(const Model<D>& model) const {
+  const Store& s = model.store;
+  InterfaceBooks<D>{interface_map<D>(s)}.forces(s.get<InterfacePairForce<D>>(), lists_.elements(),
+                                                lists_.element_count(), s.get<InterfaceForce<D>>());
+}
+
+/// Faces whose corners have all broken in this step are released; interfaces that leave do so
+/// before the next step's forces.
+template <int D>
+void Fracture<D>::collect_breaks(Model<D>& model, const Clock& clock) {
+  const Store& s = model.store;
+  make_room(changed_, "breccia::fracture::broken", lists_.size());
+  const InterfaceBreaks<D> breaks{interface_map<D>(s), lists_.list(), lists_.size(),
+                                  s.get<FaceStatus>()};
+  const Index found = breaks.find(changed_);
+  if (found > 0) {
+    breaks.release(changed_, found, s.get<ElementNodes<D>>(), s.get<NodePosition<D>>(),
+                   s.get<InterfaceStates<D>>(), s.get_or_empty<InterfaceSlip<D>>());
+    const std::vector<Event> events = break_events(model, changed_, found, clock.time);
+    events_.insert(events_.end(), events.begin(), events.end());
+    released_ += found;
+    ++model.releases;
+  }
+  if (contact_follows_)
+    lists_are_stale_ = found > 0;
+  else if (released_ > 0)
+    lists_are_stale_ = breaks.leaving() > 0;
+}
+
+template <int D>
+void Fracture<D>::add_stiffness(Model<D>& model, const Array<double>& stiffness) const {
+  const Store& s = model.store;
+  if (s.count(Entity::interface) == 0) return;
+  InterfaceBooks<D>{interface_map<D>(s)}.stiffness(model.nodes(), s.get<NodeCorners>(),
+                                                   s.get<CornerList>(), s.get<NodeFlags>(),
+                                                   node_flag::interface, stiffness);
+}
+
+template <int D>
+InterfaceSums Fracture<D>::sums(const Model<D>& model) const {
+  const Store& s = model.store;
+  return InterfaceBooks<D>{interface_map<D>(s)}.energies(s.get<InterfaceStates<D>>(),
+                                                         s.get<InterfaceEnergies<D>>(), z_curve_,
+                                                         s.count(Entity::interface));
+}
+
+template <int D>
+void Fracture<D>::book(Model<D>& model, Ledger& ledger) const {
+  const InterfaceSums sum = sums(model);
+  ledger.add("IF_stored", EnergyKind::stored, sum.stored);
+  ledger.add("IF_G1", EnergyKind::dissipated, sum.tension);
+  ledger.add("IF_G2", EnergyKind::dissipated, sum.shear);
+  ledger.add("IF_friction", EnergyKind::dissipated, sum.friction);
+  ledger.add("IF_viscous", EnergyKind::dissipated, sum.viscous);
+}
+
+template <int D>
+void Fracture<D>::observe(Model<D>& model, const Clock&, Moment moment, Row& row) {
+  if (moment != Moment::before) return;
+  const InterfaceSums sum = sums(model);
+  row.set("inserted", model.store.count(Entity::interface));
+  row.set("released", static_cast<double>(released_));
+  row.set("crack_area", sum.broken_area);
+  row.set("crack_energy", sum.tension + sum.shear);
+}
+
+template <int D>
+void Fracture<D>::draw(Model<D>& model, Picture& picture) const {
+  const std::vector<CrackFace> faces = crack_faces(model);
+  picture.cracks.insert(picture.cracks.end(), faces.begin(), faces.end());
+}
+
+template <int D>
+std::vector<Event> Fracture<D>::take_events() {
+  return std::exchange(events_, {});
+}
+
+template <int D>
+void Fracture<D>::count(Model<D>& model, Counts& counts) const {
+  const std::int64_t made = model.store.count(Entity::interface);
+  counts.bonded += breakable_ - made;
+  counts.inserted += made - released_;
+  counts.released += released_;
+}
+
+template <int D>
+void Fracture<D>::archive(Archive& archive) {
+  static_assert(sizeof(Event) % sizeof(double) == 0);
+  constexpr std::size_t kNumbers = sizeof(Event) / sizeof(double);
+  archive.integer("fracture.released", released_);
+  std::vector<double> events(events_.size() * kNumbers);
+  std::memcpy(events.data(), events_.data(), events.size() * sizeof(double));
+  archive.numbers("fracture.events", events);
+  events_.resize(events.size() / kNumbers);
+  std::memcpy(events_.data(), events.data(), events.size() * sizeof(double));
+}
+
+template class Fracture<2>;
+template class Fracture<3>;
+
+}  // namespace breccia

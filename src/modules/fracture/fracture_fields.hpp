@@ -1,0 +1,47 @@
+#pragma once
+#include "fields/field.hpp"
+#include "loops/interface_views.hpp"
+
+namespace breccia {
+
+struct InterfaceRecords {
+  using View = Array<InterfaceRecord>;
+  static constexpr FieldInfo info{"interface_record", Entity::interface, "SI", Restart::yes,
+                                  "face, law, area and springs"};
+};
+
+struct InterfaceLife {
+  using View = Array<std::uint8_t>;
+  static constexpr FieldInfo info{"interface_life", Entity::interface, "1", Restart::yes,
+                                  "0 acting, 1 broken, 2 leaving, 3 gone"};
+};
+
+template <int D>
+struct InterfaceActive {
+  using View = CornerFlags<D>;
+  static constexpr FieldInfo info{"interface_active", Entity::interface, "1", Restart::yes,
+                                  "1 where the corner's family has split"};
+};
+
+template <int D>
+struct InterfaceStates {
+  using View = CornerStates<D>;
+  static constexpr FieldInfo info{"interface_state", Entity::interface, "SI", Restart::yes,
+                                  "memory of the cohesive law at each corner"};
+};
+
+template <int D>
+struct InterfaceEnergies {
+  using View = CornerEnergies<D>;
+  static constexpr FieldInfo info{"interface_energy", Entity::interface, "J/m2", Restart::yes,
+                                  "energies spent at each corner"};
+};
+
+template <int D>
+struct InterfacePairForce {
+  using View = PairForces<D>;
+  static constexpr FieldInfo info{"interface_pair_force", Entity::interface, "N", Restart::no,
+                                  "force on the left corner, the right one gets the opposite"};
+};
+
+}  // namespace breccia

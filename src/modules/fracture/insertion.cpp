@@ -1,0 +1,195 @@
+#include "modules/fracture/insertion.hpp"
+
+#include "core/log.hpp"
+#include "fields/interface_fields.hpp"
+#include "loops/compact.hpp"
+#include "loops/face_insertion.hpp"
+#include "loops/face_onset.hpp"
+#include "loops/star_balance.hpp"
+#include "modules/fracture/fracture_fields.hpp"
+#include "modules/fracture/interface_lists.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace breccia {
+
+namespace {
+
+/// Families whose stars are looked at together before the first step.
+constexpr Index kBatch = 1 << 15;
+
+}  // namespace
+
+template <int D>
+void Insertion<D>::prepare(const Model<D>& model, const InterfaceLaws& laws) {
+  table_ = laws;
+  laws_ = to_device("breccia::fracture::laws", laws.laws);
+  law_of_ = to_device("breccia::fracture::law_of", laws.of_materials);
+  sides_ = to_device("breccia::fracture::sides", interface_sides(model));
+  std::vector<double> density;
+  for (const Material& m : model.materials) density.push_back(m.density);
+  density_ = to_device("breccia::fracture::density", density);
+  const auto families = static_cast<std::size_t>(model.store.count(Entity::family));
+  touched_ = Array<std::uint8_t>("breccia::fracture::touched", families);
+  hot_ =
+      allocate<Array<Index>>("breccia::fracture::hot", static_cast<std::size_t>(model.elements()));
+}
+
+template <int D>
+ElementStress<D> Insertion<D>::stress_of(const Model<D>& model) const {
+  const Store& s = model.store;
+  return {s.get<ElementNodes<D>>(), s.get<NodePosition<D>>(), s.get<ElementReference<D>>(),
+          s.get<ElementMaterial>(), s.get<MaterialLame>(),    model.thickness};
+}
+
+template <int D>
+StarMap<D> Insertion<D>::star_map(const Store& s) const {
+  return {face_map<D>(s),         s.get<FaceStatus>(),  s.get<ElementNodes<D>>(),
+          s.get<FamilyCorners>(), s.get<NodeCorners>(), s.get<CornerList>()};
+}
+
+template <int D>
+Index Insertion<D>::start(Model<D>& model) {
+  std::vector<Index> faces;
+  const auto& shared = model.topology.shared;
+  for (std::size_t f = 0; f < shared.size(); ++f) {
+    const Index l = model.body_material[model.mesh.body[shared[f].left]];
+    const Index r = model.body_material[model.mesh.body[shared[f].right]];
+    const Index law = table_.between(l, r);
+    if (law != kNone && table_.laws[static_cast<std::size_t>(law)].at_start)
+      faces.push_back(static_cast<Index>(f));
+  }
+  if (!faces.empty())
+    insert(model, to_device("breccia::fracture::at_start", faces),
+           static_cast<Index>(faces.size()));
+  // In batches, so that the room for stars stays small beside the mesh.
+  const Index families = model.store.count(Entity::family);
+  for (Index begin = 0; begin < families; begin += kBatch) {
+    const Index end = std::min<Index>(families, begin + kBatch);
+    Kokkos::deep_copy(touched_, std::uint8_t{0});
+    Kokkos::deep_copy(Kokkos::subview(touched_, std::make_pair(begin, end)), std::uint8_t{1});
+    split(model);
+  }
+  work_ = StarWork<D>{};
+  return static_cast<Index>(faces.size());
+}
+
+template <int D>
+Index Insertion<D>::check(Model<D>& model) {
+  const Store& s = model.store;
+  const Index hot =
+      compact("breccia::fracture::hot_elements", s.get<ElementHot>(), model.elements(), hot_);
+  if (hot == 0) return 0;
+  make_room(mark_, "breccia::fracture::onset_mark", hot * (D + 1));
+  make_room(found_, "breccia::fracture::onset_faces", hot * (D + 1));
+  const FaceOnsetIn<D> in{face_map<D>(s),
+                          s.get<FaceStatus>(),
+                          stress_of(model),
+                          s.get<ElementHot>(),
+                          law_of_,
+                          table_.materials,
+                          laws_};
+  const Index found = find_onset(in, hot_, hot, mark_, found_);
+  if (found == 0) return 0;
+  insert(model, found_, found);
+  split(model);
+  return found;
+}
+
+template <int D>
+void Insertion<D>::insert(Model<D>& model, const Array<Index>& faces, Index count) {
+  Store& s = model.store;
+  const Index first = s.count(Entity::interface);
+  const Index needed = first + count;
+  if (needed > s.capacity(Entity::interface))
+    s.set_size(Entity::interface, first,
+               std::max<Index>(needed, s.capacity(Entity::interface) * 2));
+  s.set_count(Entity::interface, needed);
+  const FaceInsertionIn<D> in{face_map<D>(s),
+                              s.get<ElementNodes<D>>(),
+                              s.get<NodeReference<D>>(),
+                              s.get<NodeFamily>(),
+                              stress_of(model),
+                              sides_,
+                              law_of_,
+                              table_.materials,
+                              laws_,
+                              faces,
+                              first};
+  const FaceInsertionOut<D> out{s.get<FaceStatus>(),
+                                s.get<FaceInterface>(),
+                                s.get<InterfaceRecords>(),
+                                s.get<InterfaceLife>(),
+                                s.get<InterfaceActive<D>>(),
+                                s.get<InterfacePairForce<D>>(),
+                                touched_};
+  insert_faces(count, in, out);
+}
+
+template <int D>
+void Insertion<D>::grow_nodes(Model<D>& model, Index needed) const {
+  Store& s = model.store;
+  const Index before = s.capacity(Entity::node);
+  if (needed <= before) return;
+  const Index after = std::max<Index>(needed, before + before / 2);
+  s.set_size(Entity::node, s.count(Entity::node), after);
+  log::info(fmt::format("fracture: room for nodes grows from {} to {}", before, after));
+}
+
+template <int D>
+void Insertion<D>::split(Model<D>& model) {
+  Store& s = model.store;
+  const Index families = s.count(Entity::family);
+  make_room(work_.family, "breccia::fracture::touched_families", families);
+  work_.families = compact("breccia::fracture::touched_families", touched_, families, work_.family);
+  Kokkos::deep_copy(touched_, std::uint8_t{0});
+  make_room(work_.begin, "breccia::fracture::star_begin", work_.families);
+  make_room(work_.fresh, "breccia::fracture::star_fresh", work_.families);
+  Stars<D> stars{star_map(s), work_};
+  work_.reserve(stars.place());
+  stars.work = work_;
+  stars.find_components();
+  const Index fresh = stars.number_new_nodes();
+  if (fresh == 0) return;
+
+  const Index first = s.count(Entity::node);
+  make_room(parent_, "breccia::fracture::parent", fresh);
+  stars.name_owners(first, parent_);
+  balance(model, stars);
+  grow_nodes(model, first + fresh);
+  s.set_count(Entity::node, first + fresh);
+  s.copy_rows(Entity::node, parent_, first, fresh);
+  stars.map = star_map(s);
+  stars.relabel({stress_of(model), density_}, s.get<NodeMass>(), s.get<NodeFlags>(),
+                node_flag::interface);
+  ++model.splits;
+  model.step_is_stale = true;
+}
+
+template <int D>
+void Insertion<D>::balance(const Model<D>& model, const Stars<D>& stars) const {
+  const Store& s = model.store;
+  StarBalanceIn<D> in;
+  in.map = stars.map;
+  in.work = stars.work;
+  in.force[0] = s.get<ElementForce<D>>();
+  in.force[1] = s.get<InterfaceForce<D>>();
+  in.force[2] = s.get_or_empty<ContactForce<D>>();
+  in.force[3] = s.get_or_empty<LoadForce<D>>();
+  in.corner_mass = {stress_of(model), density_};
+  in.flags = s.get<NodeFlags>();
+  in.fixed_x = node_flag::fixed_x;
+  in.x = s.get<NodePosition<D>>();
+  in.of_face = s.get<FaceInterface>();
+  in.record = s.get<InterfaceRecords>();
+  in.laws = laws_;
+  balance_stars(in, {s.get<InterfaceStates<D>>(), s.get<InterfaceEnergies<D>>(),
+                     s.get<InterfaceActive<D>>(), s.get<InterfacePairForce<D>>()});
+}
+
+template class Insertion<2>;
+template class Insertion<3>;
+
+}  // namespace breccia

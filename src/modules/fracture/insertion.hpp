@@ -1,0 +1,42 @@
+#pragma once
+#include "loops/stars.hpp"
+#include "modules/fracture/interface_laws.hpp"
+#include "step/model.hpp"
+
+namespace breccia {
+
+/// Replaces bonded faces by interfaces and splits the nodes that this sets free (A-3.3, A-3.4,
+/// Fields of nodes and interfaces may grow in here and nowhere else.
+template <int D>
+class Insertion {
+ public:
+  /// Room and tables on the device.
+  void prepare(const Model<D>& model, const InterfaceLaws& laws);
+
+  /// Inserts the faces whose law says so from the start and splits every node whose elements hang
+  /// together at nothing but that node. Returns the number of new interfaces.
+  Index start(Model<D>& model);
+
+  /// The check of a step. Returns the number of new interfaces; nothing else has happened when
+  /// it is zero.
+  Index check(Model<D>& model);
+
+ private:
+  void insert(Model<D>& model, const Array<Index>& faces, Index count);
+  void split(Model<D>& model);
+  void balance(const Model<D>& model, const Stars<D>& stars) const;
+  void grow_nodes(Model<D>& model, Index needed) const;
+  StarMap<D> star_map(const Store& store) const;
+  ElementStress<D> stress_of(const Model<D>& model) const;
+
+  InterfaceLaws table_;
+  Array<InterfaceLaw> laws_;
+  Array<Index> law_of_;
+  Array<InterfaceSide> sides_;
+  Array<double> density_;
+  Array<Index> hot_, found_, parent_;
+  Array<std::uint8_t> mark_, touched_;
+  StarWork<D> work_;
+};
+
+}  // namespace breccia

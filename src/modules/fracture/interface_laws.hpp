@@ -1,0 +1,39 @@
+#pragma once
+#include "loops/interface_views.hpp"
+#include "step/model.hpp"
+
+#include <string>
+#include <vector>
+
+namespace breccia {
+
+/// The laws of a scene and which pair of materials each belongs to.
+struct InterfaceLaws {
+  std::vector<InterfaceLaw> laws;
+  std::vector<const Settings*> sections;  ///< where each was read
+  std::vector<Index> of_materials;        ///< at left * materials + right; kNone: tied
+  Index materials = 0;
+
+  Index between(Index left, Index right) const {
+    return of_materials[static_cast<std::size_t>(left * materials + right)];
+  }
+};
+
+/// Reads [fracture.*] and [[interface]]. Throws Error with place.
+InterfaceLaws read_interface_laws(const Settings& scene, const std::vector<Material>& materials);
+
+/// Springs are made of these; per material.
+template <int D>
+std::vector<InterfaceSide> interface_sides(const Model<D>& model);
+
+/// Refuses laws that the mesh cannot follow: a face whose stored energy at the peak exceeds what
+/// breaking it may take. Warns where the softening zone is shorter than three elements.
+/// Throws Error naming the number and the remedy.
+template <int D>
+void check_interface_laws(const InterfaceLaws& laws, const Model<D>& model);
+
+/// Bound on the stress in the elements of a material below which none of its faces can reach its
+/// onset; all zero where every face of the material is inserted at the start or tied.
+Onset watch_for(const InterfaceLaws& laws, Index material);
+
+}  // namespace breccia
