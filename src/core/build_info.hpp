@@ -4,7 +4,8 @@
 
 namespace breccia {
 
-/// What this executable was built from and with. `breccia info` prints it and every report.json carries it.
+/// What this executable was built from and with; `breccia info` prints it and every report.json
+/// carries it.
 struct BuildInfo {
   std::string_view version;
   std::string_view commit;  // short hash, with "+" when the tree had changes; "unknown" outside git

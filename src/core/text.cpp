@@ -4,13 +4,19 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 
 namespace breccia {
 
 std::string number_text(double value) {
   std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return {buffer.data(), end.ptr};
+  char* const first = buffer.data();
+  char* const last = first + buffer.size();
+  const double size = std::abs(value);
+  const bool everyday = size >= 1e-4 && size < 1e7;  // 100000, not 1e+05
+  const auto end = everyday ? std::to_chars(first, last, value, std::chars_format::fixed)
+                            : std::to_chars(first, last, value);
+  return {first, end.ptr};
 }
 
 std::string join(const std::vector<std::string>& words, std::string_view between) {

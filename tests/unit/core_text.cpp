@@ -36,6 +36,9 @@ TEST(CoreText, NumbersReadBackExactly) {
   for (const double x : {0.1, 1.0 / 3, 6.02e23, -5e-300, 1e100, 0.0}) {
     EXPECT_EQ(std::stod(number_text(x)), x);
   }
+  EXPECT_EQ(number_text(100000), "100000");
+  EXPECT_EQ(number_text(0.001), "0.001");
+  EXPECT_EQ(number_text(1e-7), "1e-07");
 }
 
 TEST(CoreError, TextHasPlaceCauseAndIndentedRemedy) {
