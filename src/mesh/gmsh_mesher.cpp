@@ -14,11 +14,8 @@
 #include <clocale>
 #include <cmath>
 #include <fstream>
+#include <future>
 #include <map>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace breccia {
 namespace {
@@ -26,14 +23,11 @@ namespace {
 using Tag = GmshTag;
 using Tags = std::vector<Tag>;
 
-/// Gmsh from start to end of one mesh. It sets the number of OpenMP threads and the locale of the
-/// whole process to its own; both are put back.
+/// Gmsh from start to end of one mesh. It sets the locale of the process to its own, which is put
+/// back.
 class Session {
  public:
   Session() {
-#ifdef _OPENMP
-    threads_ = omp_get_max_threads();
-#endif
     gmsh::initialize(0, nullptr, false);
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::option::setNumber("General.NumThreads", 1);
@@ -44,24 +38,26 @@ class Session {
   ~Session() {
     gmsh::finalize();
     std::setlocale(LC_ALL, locale_.c_str());
-#ifdef _OPENMP
-    omp_set_num_threads(threads_);
-#endif
   }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
  private:
   std::string locale_ = std::setlocale(LC_ALL, nullptr);
-  int threads_ = 1;
 };
 
-/// Runs `work` and turns whatever Gmsh throws (it throws std::string) into an Error.
+/// Runs `work` with Gmsh and turns whatever it throws (std::string) into an Error. Gmsh sets the
+/// number of OpenMP threads of the thread that starts it, so it gets one of its own.
 template <class Work>
-auto translate_errors(const std::string& place, Work&& work) {
+auto with_gmsh(const std::string& place, Work&& work) {
   std::string message;
   try {
-    return work();
+    return std::async(std::launch::async,
+                      [&] {
+                        const Session session;
+                        return work();
+                      })
+        .get();
   } catch (const Error&) {
     throw;
   } catch (const std::string& text) {
@@ -75,10 +71,17 @@ auto translate_errors(const std::string& place, Work&& work) {
          "check sizes, crossing outlines and touching bodies");
 }
 
-/// MeshAdapt: the frontal method (6) makes better triangles, but in three directions only, and
-/// cracks then run along them (docs/method/mesh.md).
+/// Gmsh's number of the method: MeshAdapt, Delaunay, frontal Delaunay (docs/method/mesh.md).
 int algorithm(Arrangement arrangement) {
-  return arrangement == Arrangement::regular ? 6 : 1;
+  switch (arrangement) {
+    case Arrangement::irregular:
+      return 1;
+    case Arrangement::quick:
+      return 5;
+    case Arrangement::regular:
+      return 6;
+  }
+  return 1;
 }
 
 void set_sizes(std::span<const BodyShape* const> bodies, const GmshAssembly& assembly,
@@ -199,13 +202,13 @@ void drop_unused_points(RawMesh& raw) {
 
 RawMesh gmsh_mesh(int dimension, std::span<const BodyShape* const> bodies) {
   const std::string place = "body \"" + bodies[0]->name + "\"";
-  const Session session;
-  return translate_errors(place, [&] {
+  return with_gmsh(place, [&] {
     const double scale = gmsh_scale(bodies);
     const GmshAssembly assembly = gmsh_assemble(dimension, bodies, scale);
     set_sizes(bodies, assembly, scale);
     gmsh::option::setNumber("Mesh.Algorithm", algorithm(bodies[0]->arrangement));
     gmsh::option::setNumber("Mesh.Algorithm3D", 1);
+    gmsh::option::setNumber("Mesh.OptimizeThreshold", 0.7);  // docs/method/mesh.md
     gmsh::option::setNumber("Mesh.RandomSeed", bodies[0]->seed);
     gmsh::model::mesh::generate(dimension);
     gmsh::model::mesh::removeSizeCallback();
@@ -227,8 +230,7 @@ RawMesh gmsh_open(const std::string& path, int dimension, double size) {
   if (!std::ifstream(path)) {  // Gmsh would make an empty model of it
     refuse(path, "the file cannot be read", "check its name and that you may read it");
   }
-  const Session session;
-  return translate_errors(path, [&] {
+  return with_gmsh(path, [&] {
     gmsh::open(path);
     if (size > 0) gmsh::option::setNumber("Mesh.MeshSizeMax", size);
     std::vector<int> types;

@@ -61,9 +61,10 @@ struct EmbeddedLine {
   std::vector<Point<2>> points;
 };
 
-/// How Gmsh lays triangles out. `irregular` has edges in all directions alike, as fracture needs;
-/// `regular` has better triangles, but nearly all edges in three directions (docs/method/mesh.md).
-enum class Arrangement { irregular, regular };
+/// How Gmsh lays triangles out (measured in docs/method/mesh.md). `irregular` has edges in all
+/// directions alike, as fracture needs. `quick` is six times faster, with a slight preference for
+/// three directions. `regular` has the best triangles, nearly all along three directions.
+enum class Arrangement { irregular, quick, regular };
 
 /// One body as the scene describes it. Lengths in m.
 struct BodyShape {
