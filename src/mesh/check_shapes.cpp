@@ -2,6 +2,7 @@
 
 #include "mesh/geometry.hpp"
 #include "mesh/refusal.hpp"
+#include "mesh/size_field.hpp"
 
 #include <cmath>
 #include <limits>
@@ -144,12 +145,24 @@ struct ShapeCheck {
   void operator()(const MeshFile&) const {}
 };
 
-void check_sizes(const BodyShape& body) {
+/// A slip of the unit must not end in a machine without memory.
+void check_count(int dimension, const BodyShape& body) {
+  constexpr double most = 5e8;
+  const double count = std::pow(extent_of(body.shape) / body.size, dimension);
+  if (!(count > most)) return;
+  refuse(place_of(body),
+         "with elements of " + short_number(body.size) + " m it would have about " +
+             short_number(count) + " of them",
+         "check the unit of the mesh size");
+}
+
+void check_sizes(int dimension, const BodyShape& body) {
   const bool file = std::holds_alternative<MeshFile>(body.shape);
   if (!file && !is_positive(body.size)) {
     refuse(place_of(body), "its element size is " + short_number(body.size) + " m",
            "give a positive mesh size");
   }
+  if (!file) check_count(dimension, body);
   for (const Refinement& r : body.refinements) {
     if (file) {
       refuse(place_of(body), "a mesh file cannot be refined", "refine it where it was made");
@@ -203,7 +216,7 @@ void check_part(int dimension, std::span<const BodyShape* const> part) {
   const auto* first_file = std::get_if<MeshFile>(&part[0]->shape);
   for (const BodyShape* body : part) {
     std::visit(ShapeCheck{dimension, *body}, body->shape);
-    check_sizes(*body);
+    check_sizes(dimension, *body);
     check_lines(dimension, *body);
     check_pattern(*body);
     if (part.size() == 1) continue;

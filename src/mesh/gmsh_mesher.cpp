@@ -68,7 +68,7 @@ auto with_gmsh(const std::string& place, Work&& work) {
     message = "error " + std::to_string(code);
   }
   refuse(place, "Gmsh could not mesh it: " + message,
-         "check sizes, crossing outlines and touching bodies");
+         "check the sizes (a smaller size may do), crossing outlines and touching bodies");
 }
 
 /// Gmsh's number of the method: MeshAdapt, Delaunay, frontal Delaunay (docs/method/mesh.md).

@@ -2,6 +2,7 @@
 
 #include "mesh/face_table.hpp"
 #include "mesh/geometry.hpp"
+#include "mesh/refusal.hpp"
 #include "mesh/region_builder.hpp"
 
 #include <algorithm>
@@ -166,6 +167,11 @@ void add_line_regions(Mesh<2>& mesh, Index body, std::span<const EmbeddedLine> l
     }
   });
   for (std::size_t n = 0; n < lines.size(); ++n) {
+    if (builder[n].empty()) {
+      refuse("body \"" + mesh.body_names[body] + "\"",
+             "the line \"" + lines[n].name + "\" does not run through it",
+             "move the line into the body, or give it to the body that it crosses");
+    }
     mesh.regions.push_back(builder[n].finish(mesh.body_names[body] + "." + lines[n].name));
   }
 }

@@ -127,6 +127,8 @@ INSTANTIATE_TEST_SUITE_P(
     Wrong, BodyDescription,
     testing::Values(
         Description{"NoSize", changed(kPlate, [](auto& b) { b.size = 0; }), "element size is 0 m"},
+        Description{"TinySize", changed(kPlate, [](auto& b) { b.size = 1e-6; }),
+                    "it would have about 2e+12 of them"},
         Description{"Radius", body_of("plate", Disc{{0, 0}, -1}, 0.1), "radius is -1 m"},
         Description{"Corners", body_of("plate", Rectangle{{0, 0}, {-1, 1}}, 0.1),
                     "extent along x is not positive"},

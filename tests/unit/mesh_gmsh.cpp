@@ -193,6 +193,40 @@ TEST(MeshGmsh, BodiesKeepTheirOrderAcrossParts) {
     EXPECT_EQ(mesh.body[e], x > 4 ? 1 : (x > 1 ? 2 : 0));
   }
 }
+TEST(MeshGmsh, LinesOutsideTheirBodyAreRefused) {
+  auto body = body_of("plate", Rectangle{{0, 0}, {1, 1}}, 0.2);
+  body.lines = {{"crack", {{2, 2}, {3, 3}}}};
+  EXPECT_THAT(error_text([&] { mesh_one<2>(body); }),
+              HasSubstr("body \"plate\": the line \"crack\" does not run through it"));
+}
+
+TEST(MeshGmsh, AwkwardGeometryIsMeshed) {
+  const auto coarse = mesh_one<2>(body_of("disc", Disc{{0, 0}, 1}, 10));
+  EXPECT_NEAR(total_volume(coarse), std::sqrt(8), 1e-9);  // an octagon: two chords an arc
+  // Points along a straight side, as digitised outlines have them.
+  const Polygon straight{{{0, 0}, {0.5, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0.5}}, {}};
+  EXPECT_NEAR(total_volume(mesh_one<2>(body_of("plate", straight, 0.2))), 1, 1e-9);
+  // A grain that touches the side of its matrix at one point.
+  std::vector<BodyShape> bodies = {body_of("matrix", Rectangle{{0, 0}, {1, 1}}, 0.1),
+                                   body_of("grain", Disc{{0.25, 0.5}, 0.25}, 0.05)};
+  bodies[0].part_of = bodies[1].part_of = "rock";
+  EXPECT_NEAR(total_volume(mesh_bodies<2>(bodies)), 1, 1e-3);
+  // Lines that meet, cross, end on the side and lie on the side.
+  auto plate = body_of("plate", Rectangle{{0, 0}, {1, 1}}, 0.1);
+  plate.lines = {{"a", {{0.2, 0.2}, {0.8, 0.8}}},
+                 {"b", {{0.2, 0.8}, {0.8, 0.2}}},
+                 {"c", {{0.8, 0.8}, {1, 0.8}}},
+                 {"d", {{0, 0}, {0, 1}}}};
+  const auto cut = mesh_one<2>(plate);
+  EXPECT_NEAR(total_volume(cut), 1, 1e-9);
+  EXPECT_NEAR(face_area(cut, "plate.c"), 0.2, 1e-9);
+  EXPECT_NEAR(face_area(cut, "plate.d"), 1, 1e-9);
+  EXPECT_THAT(error_text([] {
+                mesh_one<3>(body_of("ball", Ball{{0, 0, 0}, 1}, 5));
+              }),
+              AllOf(HasSubstr("body \"ball\""), HasSubstr("a smaller size")));
+}
+
 constexpr const char* kGeo = R"(
 SetFactory("OpenCASCADE");
 Rectangle(1) = {0, 0, 0, 2, 1};
