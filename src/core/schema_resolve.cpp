@@ -103,16 +103,22 @@ class Resolver {
     path = std::filesystem::absolute(folder / path).lexically_normal().string();
   }
 
+  /// \throws Error unless the scene has a section of that name.
+  void refer(const std::string& section, const std::string& word, const Place& place) const {
+    const auto names = names_in(scene_, section);
+    if (std::find(names.begin(), names.end(), word) != names.end()) return;
+    throw Error(place.text(),
+                "no " + section + " '" + word + "' in this scene." + did_you_mean(word, names),
+                names.empty() ? "the scene has no " + section : section + " names: " + join(names));
+  }
+
   void check_reference(const Key& key, const Settings::Value& v) const {
     if (key.refers_to.empty()) return;
-    const auto names = names_in(scene_, key.refers_to);
-    const auto& word = std::get<std::string>(v.value);
-    if (std::find(names.begin(), names.end(), word) != names.end()) return;
-    throw Error(
-        v.place.text(),
-        "no " + key.refers_to + " '" + word + "' in this scene." + did_you_mean(word, names),
-        names.empty() ? "the scene has no " + key.refers_to
-                      : key.refers_to + " names: " + join(names));
+    if (const auto* words = std::get_if<std::vector<std::string>>(&v.value)) {
+      for (const auto& word : *words) refer(key.refers_to, word, v.place);
+    } else {
+      refer(key.refers_to, std::get<std::string>(v.value), v.place);
+    }
   }
 
   // ---- sections
@@ -186,13 +192,10 @@ class Resolver {
   void check_section_name(const Section& section, const std::string& name, const Place& place,
                           const std::string& path) {
     if (section.names_refer_to.empty()) return;
-    const auto known = names_in(scene_, section.names_refer_to);
-    for (const auto& part : split(name, '|')) {  // "granite|steel": between two materials
-      if (std::find(known.begin(), known.end(), part) != known.end()) continue;
-      problems_->add(place.text(),
-                     path + ": no " + section.names_refer_to + " '" + part + "' in this scene." +
-                         did_you_mean(part, known),
-                     section.names_refer_to + " names: " + join(known) + "\n" + section.page());
+    try {
+      refer(section.names_refer_to, name, place);
+    } catch (const Error& e) {
+      problems_->add(e.place(), path + ": " + e.cause(), e.remedy() + "\n" + section.page());
     }
   }
 

@@ -38,6 +38,7 @@ Schema sample() {
   body.numbers("sizes", unit::length).above(0);
   body.integers("cells").at_least(1);
   body.texts("words");
+  body.texts("between").names_one_of("material");
   body.table("history", unit::time, unit::none);
   body.points("outline", unit::length);
   body.lines("holes", unit::length);
@@ -177,9 +178,10 @@ TEST(CoreSchema, WrongSections) {
   EXPECT_THAT(in_body("material = \"granit\""),
               AllOf(HasSubstr("no material 'granit' in this scene. Did you mean 'granite'?"),
                     HasSubstr("material names: granite")));
+  EXPECT_THAT(in_body("between = [\"granite\", \"lime\"]"), HasSubstr("no material 'lime'"));
   EXPECT_THAT(refusal(head + "[[body]]\nname = \"a\"\n[[body]]\nname = \"a\"\n"),
               HasSubstr("s.toml:7: body.name: \"a\" is used twice"));
-  EXPECT_THAT(refusal(head + granite + "[interface.\"granite|steel\"]\nG = 1\n"),
+  EXPECT_THAT(refusal(head + granite + "[interface.steel]\nG = 1\n"),
               HasSubstr("no material 'steel'"));
 }
 
