@@ -1,4 +1,5 @@
 // breccia check: what a scene would run, without running it.
+#include "comm/partition.hpp"
 #include "core/log.hpp"
 #include "mesh/quality.hpp"
 #include "scene/catalog.hpp"
@@ -59,6 +60,19 @@ void print_bodies(const Model<D>& model) {
   }
 }
 
+/// What dealing the mesh out to ranks would cost.
+template <int D>
+void print_partitions(const Model<D>& model) {
+  if (!can_partition()) return;
+  std::cout << "\npartition   imbalance   cut faces   elements computed twice\n";
+  for (const int parts : {2, 8, 32}) {
+    if (parts > model.elements() / 100) break;
+    const Partition p = partition(model.mesh, model.topology, parts);
+    std::cout << fmt::format("{:>9} {:>11.3f} {:>11} {:>23.1f} %\n", parts, p.imbalance,
+                             p.cut_faces, 100 * p.ghost_share);
+  }
+}
+
 template <int D>
 int check(const Scene& scene) {
   Simulation<D> simulation(scene.settings, scene.folder);
@@ -74,6 +88,7 @@ int check(const Scene& scene) {
   std::cout << "\nmesh\n" << to_text(assess_quality(model.mesh, speed));
   print_effects(simulation);
   std::cout << "\nplan of a step\n" << simulation.plan().print();
+  print_partitions(model);
   const double duration = scene.settings.at("run").number("duration");
   const double dt = simulation.clock().dt;
   const double steps = duration / dt;

@@ -103,8 +103,9 @@ void Simulation<D>::choose_step() {
     }
     return;
   }
-  // Falls at once; rises slowly and only when it is worth it (ALGORITHMS ).
-  if (now.dt < clock_.dt) {
+  // Keeps its length while the limit only trembles: the factors leave room for a hundredth.
+  // Otherwise it falls at once and rises slowly (ALGORITHMS ).
+  if (now.dt < 0.99 * clock_.dt) {
     clock_.dt = now.dt;
   } else if (renew && now.dt > 1.02 * clock_.dt) {
     clock_.dt = std::min(now.dt, 1.1 * clock_.dt);

@@ -1,0 +1,75 @@
+// The elastic step: element loop, node loop, both together, with and without damping.
+#include "harness/machine.hpp"
+#include "harness/scenes.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+namespace breccia::perf {
+namespace {
+
+/// Bytes that one element (with its share of nodes) moves through memory per step when the nodes
+/// of neighbouring elements stay in cache. Element loop: connectivity, reference matrix, nodes,
+/// corner forces written (and fetched before). Node loop: ranges, list, forces, flags, mass,
+/// positions and velocities read and written.
+template <int D>
+double bytes_per_element(double nodes_per_element) {
+  const double element = 4.0 * (D + 1) + 8.0 * D * D + 2 * 8.0 * (D + 1) * D;
+  const double corners = (4.0 + 8.0 * D) * (D + 1);
+  const double node = 8.0 + 4.0 + 8.0 + 4 * 8.0 * D + 8.0 * D;
+  return element + corners + nodes_per_element * node;
+}
+
+/// The block turns rigidly: after some steps its energy must still be what it was.
+template <int D>
+void verify(benchmark::State& state, RunningScene<D>& scene) {
+  Ledger ledger;
+  scene.simulation->book_before(ledger);
+  const double start = scene.simulation->motion().kinetic_energy(scene.simulation->model());
+  for (int i = 0; i < 20; ++i) scene.simulation->step(1.0, {});
+  Ledger later;
+  double drift = 0;
+  const typename Simulation<D>::Watchers watchers{[&] { scene.simulation->book_before(later); },
+                                                  [&] {
+                                                    scene.simulation->book_after(later);
+                                                    drift = std::max(later.residual_1(),
+                                                                     later.residual_2());
+                                                  }};
+  scene.simulation->step(1.0, watchers);
+  if (!(start > 0) || !(drift < 1e-3)) state.SkipWithError("the energy is not conserved");
+}
+
+template <int D>
+void elastic_step(benchmark::State& state) {
+  const auto elements = static_cast<double>(state.range(0));
+  const std::string damping = state.range(1) ? "damping = 0.02\n" : "";
+  RunningScene<D> scene(shaking_block<D>(elements, damping));
+  verify(state, scene);
+  for (auto _ : state) scene.simulation->step(1.0, {});
+  Kokkos::fence("breccia::perf::elastic");
+  const Model<D>& model = scene.simulation->model();
+  const double n = model.elements(), per = model.nodes() / n;
+  const double rate = n * static_cast<double>(state.iterations());
+  state.counters["elements/s"] = benchmark::Counter(rate, benchmark::Counter::kIsRate);
+  state.counters["bytes/element"] = bytes_per_element<D>(per);
+  state.counters["memory/element"] = static_cast<double>(model.store.bytes()) / n;
+  state.counters["of bandwidth"] = benchmark::Counter(
+      rate * bytes_per_element<D>(per) / bandwidth(), benchmark::Counter::kIsRate);
+}
+
+void sizes(benchmark::internal::Benchmark* b) {
+  b->ArgNames({"elements", "damped"})->Unit(benchmark::kMillisecond)->UseRealTime();
+  if (smoke()) {
+    b->Args({2000, 0})->Args({2000, 1});
+    return;
+  }
+  for (const int n : {10000, 100000, 1000000}) b->Args({n, 0});
+  b->Args({100000, 1});
+}
+
+BENCHMARK(elastic_step<2>)->Name("elastic_step.tri3")->Apply(sizes);
+BENCHMARK(elastic_step<3>)->Name("elastic_step.tet4")->Apply(sizes);
+
+}  // namespace
+}  // namespace breccia::perf
