@@ -2,6 +2,7 @@
 
 #include "io/array_view.hpp"
 #include "io/aside_file.hpp"
+#include "io/hdf5_driver.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -57,7 +58,12 @@ class H5Writer {
   [[nodiscard]] const std::string& part() const { return aside_.part(); }
 
  private:
+  void abandon();
+  void check(bool done, const std::string& doing) const;
+  [[nodiscard]] Error trouble(const std::string& doing) const;
+
   AsideFile aside_;
+  h5::WriteState disk_;
   std::int64_t file_ = -1;  ///< HDF5 handle; -1 when closed
 };
 

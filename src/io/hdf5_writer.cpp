@@ -2,33 +2,17 @@
 
 #if BRECCIA_WITH_HDF5
 
-#include <sys/mman.h>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <stdexcept>
 
 namespace breccia {
 namespace {
 
 using h5::Handle;
-
-// After a failed write (disk full) HDF5 keeps dirty metadata that it can never flush, so the file
-// could never be closed and the library would try again at exit. Its descriptor is therefore turned
-// to memory before closing; the part on the disk is removed anyway.
-void abandon(hid_t file) {
-  const Handle access(H5Fget_access_plist(file), H5Pclose);
-  void* driver = nullptr;
-  if (H5Fget_vfd_handle(file, access, &driver) >= 0 && driver != nullptr) {
-    const int memory = ::memfd_create("breccia", MFD_CLOEXEC);
-    if (memory >= 0) {
-      ::dup2(memory, *static_cast<int*>(driver));
-      ::close(memory);
-    }
-  }
-  H5Fclose(file);
-  H5Eclear2(H5E_DEFAULT);
-}
 
 // Without the time of writing, so that equal content gives equal files.
 Handle timeless_list() {
@@ -57,38 +41,60 @@ Handle with_groups() {
   return list;
 }
 
-void put_attribute(hid_t file, const std::string& path, const std::string& object,
-                   const std::string& name, hid_t stored, hid_t native, hid_t space,
-                   const void* data) {
+bool put_attribute(hid_t file, const std::string& object, const std::string& name, hid_t stored,
+                   hid_t native, hid_t space, const void* data) {
   const Handle owner(H5Oopen(file, object.empty() ? "/" : object.c_str(), H5P_DEFAULT), H5Oclose);
-  const Handle attribute(
-      owner < 0 ? -1 : H5Acreate2(owner, name.c_str(), stored, space, H5P_DEFAULT, H5P_DEFAULT),
-      H5Aclose);
-  if (attribute < 0 || H5Awrite(attribute, native, data) < 0) {
-    throw h5::stack_error(path, "write attribute '" + name + "' of '" + object + "'");
-  }
+  if (owner < 0) return false;
+  const Handle attribute(H5Acreate2(owner, name.c_str(), stored, space, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
+  return attribute >= 0 && H5Awrite(attribute, native, data) >= 0;
+}
+
+std::string attribute_words(const std::string& object, const std::string& name) {
+  return "write attribute '" + name + "' of '" + object + "'";
 }
 
 }  // namespace
 
 H5Writer::H5Writer(const std::string& path, std::size_t user_block) : aside_(path) {
   h5::keep_quiet();
+  disk_.descriptor = ::open(part().c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (disk_.descriptor < 0) throw file_error(path, "create the file", errno);
   const Handle access = h5::serial_access(path);
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
-  if (H5Pset_userblock(creation, user_block) < 0)
-    throw h5::stack_error(path, "reserve the user block");
-  file_ = H5Fcreate(part().c_str(), H5F_ACC_TRUNC, creation, access);
-  if (file_ < 0) throw h5::stack_error(path, "create the file");
+  if (h5::set_driver(access, disk_) && H5Pset_userblock(creation, user_block) >= 0) {
+    file_ = H5Fcreate(part().c_str(), H5F_ACC_TRUNC, creation, access);
+  }
+  if (file_ >= 0 && disk_.error == 0) return;
+  const Error error = trouble("create the file");
+  abandon();  // the destructor of an object that was never made does not run
+  throw error;
 }
 
 H5Writer::~H5Writer() {
-  if (file_ >= 0) abandon(file_);
+  abandon();
+}
+
+void H5Writer::abandon() {
+  if (disk_.error == 0) disk_.error = ECANCELED;  // nothing more needs to be written
+  if (file_ >= 0) H5Fclose(std::exchange(file_, -1));
+  if (disk_.descriptor >= 0) ::close(std::exchange(disk_.descriptor, -1));
+  H5Eclear2(H5E_DEFAULT);
+}
+
+Error H5Writer::trouble(const std::string& doing) const {
+  if (disk_.error != 0) return file_error(aside_.target(), "write", disk_.error);
+  return h5::stack_error(aside_.target(), doing);
+}
+
+void H5Writer::check(bool done, const std::string& doing) const {
+  if (!done || disk_.error != 0) throw trouble(doing);
 }
 
 void H5Writer::group(const std::string& name) {
   const Handle links = with_groups();
   const Handle made(H5Gcreate2(file_, name.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
-  if (made < 0) throw h5::stack_error(aside_.target(), "create group '" + name + "'");
+  check(made >= 0, "create group '" + name + "'");
 }
 
 void H5Writer::write(const std::string& name, const ArrayView& array, const H5Storage& storage) {
@@ -104,7 +110,7 @@ void H5Writer::write(const std::string& name, const ArrayView& array, const H5St
   const bool written =
       set >= 0 && (array.count() == 0 || H5Dwrite(set, h5::memory_type(array.type), H5S_ALL,
                                                   H5S_ALL, H5P_DEFAULT, array.data) >= 0);
-  if (!written) throw h5::stack_error(aside_.target(), "write data set '" + name + "'");
+  check(written, "write data set '" + name + "'");
 }
 
 void H5Writer::write_text(const std::string& name, std::string_view text) {
@@ -113,48 +119,45 @@ void H5Writer::write_text(const std::string& name, std::string_view text) {
   const Handle links = with_groups(), creation = timeless_list();
   const Handle set(H5Dcreate2(file_, name.c_str(), type, space, links, creation, H5P_DEFAULT),
                    H5Dclose);
-  if (set < 0 || H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()) < 0) {
-    throw h5::stack_error(aside_.target(), "write text '" + name + "'");
-  }
+  const bool written =
+      set >= 0 && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()) >= 0;
+  check(written, "write text '" + name + "'");
 }
 
 void H5Writer::attribute(const std::string& object, const std::string& name,
                          std::string_view text) {
   const std::string padded = text.empty() ? std::string(1, '\0') : std::string(text);
   const Handle type = h5::text_type(text.size()), space(H5Screate(H5S_SCALAR), H5Sclose);
-  put_attribute(file_, aside_.target(), object, name, type, type, space, padded.data());
+  check(put_attribute(file_, object, name, type, type, space, padded.data()),
+        attribute_words(object, name));
 }
 
 void H5Writer::attribute(const std::string& object, const std::string& name,
                          std::span<const std::int64_t> values) {
   const hsize_t count = values.size();
   const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  put_attribute(file_, aside_.target(), object, name, H5T_STD_I64LE, H5T_NATIVE_INT64, space,
-                values.data());
+  check(put_attribute(file_, object, name, H5T_STD_I64LE, H5T_NATIVE_INT64, space, values.data()),
+        attribute_words(object, name));
 }
 
 void H5Writer::attribute(const std::string& object, const std::string& name, double value) {
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  put_attribute(file_, aside_.target(), object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, space,
-                &value);
+  check(put_attribute(file_, object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, space, &value),
+        attribute_words(object, name));
 }
 
 void H5Writer::seal() {
   if (file_ < 0) return;
-  // Flushing first keeps the file open on failure, so that it can be abandoned; a failed close
-  // could not.
-  if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0) {
-    const Error error = h5::stack_error(aside_.target(), "write");
-    abandon(std::exchange(file_, -1));
-    throw error;
+  check(H5Fclose(std::exchange(file_, -1)) >= 0, "close the file");
+  if (::fsync(disk_.descriptor) != 0 && errno != EINVAL) {
+    throw file_error(aside_.target(), "write to the disk", errno);
   }
-  if (H5Fclose(std::exchange(file_, -1)) < 0)
-    throw h5::stack_error(aside_.target(), "close the file");
-  aside_.sync();
+  ::close(std::exchange(disk_.descriptor, -1));
 }
 
 void H5Writer::commit() {
   seal();
+  aside_.sync();  // whatever the owner wrote into the user block after sealing
   aside_.publish();
 }
 

@@ -21,25 +21,34 @@ std::int32_t ring_point(int r, int k) {
   return r == 0 ? 0 : 1 + 4 * r * (r - 1) + k % (8 * r);
 }
 
-void add_disc_mesh(SampleState& s, int rings) {
-  for (int r = 0; r <= rings; ++r) {
-    for (int k = 0; k < std::max(8 * r, 1); ++k) {
-      const double angle = r == 0 ? 0 : 2 * std::numbers::pi * k / (8 * r);
-      const double radius = kRadius * r / rings;
-      s.points.insert(s.points.end(), {radius * std::cos(angle), radius * std::sin(angle)});
-    }
+void add_ring_of_points(SampleState& s, double radius, int count) {
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2 * std::numbers::pi * k / count;
+    s.points.push_back(radius * std::cos(angle));
+    s.points.push_back(radius * std::sin(angle));
   }
+}
+
+void add_triangle(SampleState& s, std::int32_t a, std::int32_t b, std::int32_t c) {
+  s.cells.push_back(a);
+  s.cells.push_back(b);
+  s.cells.push_back(c);
+}
+
+// An eighth of the triangles between rings r and r + 1.
+void add_sector(SampleState& s, int r, int sector) {
+  for (int k = 0; k <= r; ++k) {
+    const int inner = sector * r + k, outer = sector * (r + 1) + k;
+    const std::int32_t here = ring_point(r, inner), out = ring_point(r + 1, outer + 1);
+    add_triangle(s, here, ring_point(r + 1, outer), out);
+    if (k < r) add_triangle(s, here, out, ring_point(r, inner + 1));
+  }
+}
+
+void add_disc_mesh(SampleState& s, int rings) {
+  for (int r = 0; r <= rings; ++r) add_ring_of_points(s, kRadius * r / rings, std::max(8 * r, 1));
   for (int r = 0; r < rings; ++r) {
-    for (int sector = 0; sector < 8; ++sector) {
-      for (int k = 0; k <= r; ++k) {
-        const int inner = sector * r + k, outer = sector * (r + 1) + k;
-        s.cells.insert(s.cells.end(), {ring_point(r, inner), ring_point(r + 1, outer),
-                                       ring_point(r + 1, outer + 1)});
-        if (k == r) continue;
-        s.cells.insert(s.cells.end(), {ring_point(r, inner), ring_point(r + 1, outer + 1),
-                                       ring_point(r, inner + 1)});
-      }
-    }
+    for (int sector = 0; sector < 8; ++sector) add_sector(s, r, sector);
   }
 }
 
@@ -108,6 +117,25 @@ void add_disc_stress(SampleState& s, double load) {
   }
 }
 
+// Squeezes the disc and pushes its halves apart where nodes were split; `copy` as split_diameter
+// gave it.
+void move_disc(SampleState& s, const std::vector<std::int32_t>& copy, double progress,
+               double cracked) {
+  const std::size_t nodes = s.points.size() / 2;
+  s.displacement.resize(s.points.size());
+  s.velocity.resize(s.points.size());
+  for (std::size_t n = 0; n < nodes; ++n) {
+    const double x = s.points[2 * n], y = s.points[2 * n + 1];
+    double side = x > 0 ? 1 : -1;
+    if (std::abs(x) < 1e-9) side = n >= copy.size() ? -1 : copy[n] < 0 ? 0 : 1;
+    s.displacement[2 * n] = 2e-3 * progress * x + side * 4e-4 * cracked * cracked;
+    s.displacement[2 * n + 1] = -6e-3 * progress * y;
+    s.velocity[2 * n] = 2 * side * cracked + x;
+    s.velocity[2 * n + 1] = -0.1 * y / kRadius;
+  }
+  for (std::size_t i = 0; i < s.points.size(); ++i) s.points[i] += s.displacement[i];
+}
+
 void add_cube(SampleState& s, const std::array<std::int32_t, 8>& c) {
   // Six tetrahedra around the diagonal 0-7 (corner numbers in binary: x + 2 y + 4 z).
   constexpr int tets[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
@@ -146,9 +174,9 @@ void add_half_beam(SampleState& s, int cells, double edge, double sign, std::int
 }
 
 std::vector<std::string> history_columns() {
-  return {"time",     "step",     "dt",          "KE",        "W_ext",  "IE_elastic", "IF_stored",
-          "IF_G1",    "IF_G2",    "IF_friction", "CT_stored", "RES_1",  "RES_2",      "bonded",
-          "inserted", "released", "fragments",   "load.y",    "gauge.x"};
+  return {"time",     "step",     "dt",          "KE",        "W_ext",   "IE_elastic", "IF_stored",
+          "IF_G1",    "IF_G2",    "IF_friction", "CT_stored", "RES_1",   "RES_2",      "bonded",
+          "inserted", "released", "fragments",   "load.y",    "gauge.ux"};
 }
 
 std::array<double, 19> history_row(int k, int rows) {
@@ -224,20 +252,7 @@ SampleState sample_disc(int rings, double progress) {
   const double half_length = cracked > 0 ? cracked * kRadius * 1.01 : -1;
   const std::vector<std::int32_t> copy = split_diameter(s, half_length);
   if (half_length > 0) add_disc_cracks(s, rings, half_length);
-  const std::size_t originals = copy.size();
-  s.displacement.resize(s.points.size());
-  s.velocity.resize(s.points.size());
-  for (std::size_t n = 0; n < s.points.size() / 2; ++n) {
-    const double x = s.points[2 * n], y = s.points[2 * n + 1];
-    const bool left = n >= originals || x < -1e-9;
-    const bool on_axis = std::abs(x) < 1e-9 && n < originals && copy[n] < 0;
-    const double side = on_axis ? 0 : left ? -1 : 1;
-    s.displacement[2 * n] = 2e-3 * progress * x + side * 4e-4 * cracked * cracked;
-    s.displacement[2 * n + 1] = -6e-3 * progress * y;
-    s.velocity[2 * n] = 2 * side * cracked + x;
-    s.velocity[2 * n + 1] = -0.1 * y / kRadius;
-  }
-  for (std::size_t i = 0; i < s.points.size(); ++i) s.points[i] += s.displacement[i];
+  move_disc(s, copy, progress, cracked);
   return s;
 }
 

@@ -188,6 +188,19 @@ TEST(IoHdf5, DiskThatFillsAtAnyMomentLeavesTheOldFileAndAUsableLibrary) {
   EXPECT_EQ(file_text(path), file_text(folder / "whole.h5"));
 }
 
+TEST(IoHdf5, FullDiskDoesNotHauntTheEndOfTheProgram) {
+  TempFolder folder;
+  const std::string path = folder / "a.h5";
+  for (const rlim_t limit : {0, 100, 3000, 20000, 90000}) {
+    const auto fail_and_leave = [&] {
+      const FileSizeLimit full(limit);
+      error_text([&] { write_sample(path); });
+      std::exit(0);  // HDF5 tidies up here
+    };
+    EXPECT_EXIT(fail_and_leave(), testing::ExitedWithCode(0), "") << limit;
+  }
+}
+
 TEST(IoHdf5, UnwritableFolderIsCalledThat) {
   TempFolder folder;
   const NoRights rights;

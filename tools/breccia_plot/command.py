@@ -1,0 +1,49 @@
+"""The command line of tools/plot."""
+import argparse
+import pathlib
+import sys
+
+from . import sheets, style
+from .run_folder import RunFolder
+from .trouble import Trouble
+
+
+def arguments(words):
+    parser = argparse.ArgumentParser(
+        prog="plot",
+        description="Draws a run: frames with cracks, histories, the energy ledger and a summary, as PNG.",
+        epilog="Ends with status 2 and a message where there is nothing to draw.",
+    )
+    parser.add_argument("folder", metavar="RUN_FOLDER", help="folder that `breccia run` wrote")
+    parser.add_argument("--frame", default="last", metavar="N|last|all", help="frames to draw (default: last)")
+    parser.add_argument(
+        "--field", metavar="NAME",
+        help="what colours the mesh: an array of the frame, its component (velocity.x), von_mises, sigma_1, "
+        "sigma_3 or pressure (default: von_mises, else the speed, else whatever there is)",
+    )
+    parser.add_argument("-o", "--output", metavar="DIR", help="folder of the pictures (default: RUN_FOLDER/pictures)")
+    return parser.parse_args(words)
+
+
+def draw(options):
+    run = RunFolder(options.folder)
+    output = pathlib.Path(options.output) if options.output else run.path / "pictures"
+    if len(next(iter(run.history.values()), [])) > 1 and "time" in run.history:
+        sheets.draw_histories(run, output / "histories.png")
+        sheets.draw_ledger(run, output / "ledger.png")
+    numbers = run.chosen(options.frame)
+    limits = sheets.common_limits(run, numbers, options.field) if len(numbers) > 1 else None
+    for number in numbers:
+        sheets.draw_frame(run, number, options.field, output / f"frame_{number:06d}.png", limits)
+    sheets.draw_summary(run, numbers[-1], options.field, output / "summary.png")
+
+
+def main(words):
+    options = arguments(words)
+    style.set_up()
+    try:
+        draw(options)
+    except (Trouble, OSError) as trouble:
+        print(f"plot: {trouble}", file=sys.stderr)
+        return 2
+    return 0

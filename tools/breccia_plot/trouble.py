@@ -1,0 +1,2 @@
+class Trouble(Exception):
+    """Something the user can put right; ends the program with status 2."""
