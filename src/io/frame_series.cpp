@@ -96,8 +96,15 @@ void FrameSeries::write(const Frame& frame) {
 
 void FrameSeries::write(const Frame& frame, const CrackFrame& cracks) {
   const std::size_t number = times_.size();
-  write_frame(name(kCracks, number), as_frame(cracks, frame.time, frame.step));
-  write(frame);
+  const std::string crack_file = name(kCracks, number);
+  write_frame(crack_file, as_frame(cracks, frame.time, frame.step));
+  try {
+    write(frame);
+  } catch (const Error&) {  // cracks without their mesh would be half a frame
+    std::error_code ignored;
+    fs::remove(crack_file, ignored);
+    throw;
+  }
   cracks_.push_back(number);
   write_list(kCracks, kCrackList, cracks_);
 }

@@ -144,8 +144,8 @@ def draw_cracks(axes, cracks, dimension):
                 axes.add_collection(lines)
             else:
                 axes.add_collection(
-                    PolyCollection(chosen, facecolors=colour, edgecolors=colour, linewidths=0.4,
-                                   alpha=0.55 if broken else 0.25, zorder=4 + broken)
+                    PolyCollection(chosen, facecolors=colour, edgecolors="none", alpha=0.6 if broken else 0.25,
+                                   zorder=4 + broken)
                 )
     return drawn
 
