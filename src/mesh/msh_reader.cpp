@@ -79,7 +79,7 @@ class MshReader {
         const long long tag = in_.integer();
         for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) in_.number();
         auto& groups = physical_[{dimension, tag}];
-        groups.resize(in_.integer(0, 1000000, "number of groups"));
+        groups.resize(in_.integer(0, in_.remaining(), "number of groups"));
         for (auto& g : groups) g = std::abs(in_.integer());
         if (dimension == 0) continue;
         const long long bounds = in_.integer(0, kMost, "number of boundaries");
@@ -116,7 +116,7 @@ class MshReader {
       const int dimension = static_cast<int>(in_.integer(0, 3, "dimension"));
       in_.integer();  // entity
       const bool parametric = in_.integer(0, 1, "parametric flag") == 1;
-      std::vector<long long> tags(in_.integer(0, kMost, "number of nodes"));
+      std::vector<long long> tags(in_.integer(0, in_.remaining(), "number of nodes"));
       for (auto& tag : tags) tag = in_.integer();
       for (long long tag : tags) {
         add_point(tag, position());

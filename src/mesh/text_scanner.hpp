@@ -13,6 +13,8 @@ class TextScanner {
 
   const std::string& path() const { return path_; }
   bool at_end();
+  /// Bytes still to read: no honest count is larger.
+  long long remaining() const { return static_cast<long long>(text_.size() - at_); }
   /// Next word; a word in double quotes is returned without them. Throws Error at the end of the
   /// file.
   std::string_view word();

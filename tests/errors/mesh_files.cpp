@@ -76,6 +76,13 @@ TEST(MshFileCut, VersionFourIsRefusedAtEveryLength) {
   }
 }
 
+TEST(MshFileCounts, AbsurdOnesTakeNoMemory) {
+  const TempFolder folder;
+  const std::string path = folder / "slab.msh";
+  put_text(path, replaced(kTwoSquares41, "2 1 0 3\n1\n2\n3", "2 1 0 2000000000\n1\n2\n3"));
+  EXPECT_THAT(refusal_of(path), HasSubstr("number of nodes 2000000000 is out of range"));
+}
+
 TEST(MshFileMissing, IsNamed) {
   EXPECT_THAT(refusal_of("no/such/slab.msh"),
               AllOf(HasSubstr("no/such/slab.msh"), HasSubstr("cannot be read")));
