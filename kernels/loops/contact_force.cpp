@@ -125,7 +125,7 @@ struct ContactForceLoop {
   KOKKOS_FUNCTION
   ContactParameters parameters(Index a, Index element) const {
     const Index pair = in.point.material(a) * in.materials + in.element_material(element);
-    const double share = in.table(pair, 1), ratio = in.point.constants(a, 2);
+    const double share = in.table(pair, 1), ratio = in.table(pair, 2);
     ContactParameters p;
     p.normal = in.point.constants(a, 0) * share;
     p.damping = in.point.constants(a, 1) * Kokkos::sqrt(share);
@@ -158,8 +158,10 @@ struct ContactForceLoop {
     motion.dt = in.dt_before;
     motion.keep = in.keep;
     motion.jumped = in.jumped && slot != kNone;
-    const ContactResponse<D> r = contact_response(
-        parameters(a, element), slot == kNone ? ContactState<D>() : point.old[slot], motion);
+    const ContactParameters law = parameters(a, element);
+    const ContactState<D> old =
+        slot == kNone ? ContactState<D>() : before(law, point.old[slot], motion);
+    const ContactResponse<D> r = contact_response(law, old, motion);
     if (slot != kNone) point.element[slot] = kNone;
     remember(point, element, r.next);
     point.force += r.next.force;
@@ -168,6 +170,21 @@ struct ContactForceLoop {
     book(r, lost);
     if (in.surface.rim(t) != 0)
       Kokkos::atomic_store(&out.signals.value(ContactSignals::rim), Index(1));
+  }
+
+  /// State at the last step. A point that an interface has just handed over was pressed by the
+  /// same springs there: it is put where it came from.
+  KOKKOS_FUNCTION
+  static ContactState<D> before(const ContactParameters& law, const ContactState<D>& old,
+                                const ContactMotion<D>& motion) {
+    if (!(old.phi < 0)) return old;
+    ContactState<D> handed;
+    handed.slip = old.slip;
+    ContactMotion<D> then = motion;
+    then.phi += dot(motion.velocity, motion.normal) * motion.dt;
+    then.dt = 0;
+    then.jumped = false;
+    return contact_response(law, handed, then).next;
   }
 
   KOKKOS_FUNCTION
@@ -196,6 +213,7 @@ struct ContactForceLoop {
     for (int k = 0; k <= D; ++k) way -= row<D>(in.v, node[k]) * l[k];
     way *= in.dt_before;
     const ContactState<D>& old = point.old[slot];
+    if (old.phi < 0) return;  // handed over, but open
     book(contact_ended(old, way), lost);
     if (old.phi - old.offset > 3 * norm(way))
       Kokkos::atomic_inc(&out.signals.value(ContactSignals::lost));
@@ -233,7 +251,6 @@ void set_contact_points(const ContactSurface<D>& surface, const ContactPairs<D>&
         const double share = 0.5 * surface.area(i) / kFacePoints<D>;
         to.constants(a, 0) = share * per_area;
         to.constants(a, 1) = share * dashpot;
-        to.constants(a, 2) = rule.material(m, 1) / modulus;
         to.material(a) = m;
       });
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "base/sums.hpp"
+#include "loops/contact_history.hpp"
 #include "loops/contact_lists.hpp"
 
 namespace breccia {
@@ -7,27 +8,21 @@ namespace breccia {
 /// What a contact point needs to know of itself.
 template <int D>
 struct ContactPointData {
-  Kokkos::View<double* [3], Rows, Memory> constants;  ///< k [N/m], c [N s/m], k_t / k
+  Kokkos::View<double* [2], Rows, Memory> constants;  ///< k [N/m], c [N s/m] against its like
   Array<Index> material;
 };
 
-/// Numbers of two materials in contact: (contactor * materials + target, 2).
-///   0: friction coefficient   1: share of the contactor's stiffness, less than one on a soft target
-using ContactTable = Kokkos::View<double* [2], Rows, Memory>;
-
-/// Memory of the contact points (point, slot): element that the point was last in, and its state
-/// (depth, offset, stored, slip, force, viscous), see point/contact_law.hpp.
-template <int D>
-struct ContactHistory {
-  Kokkos::View<Index* [kContactSlots], Rows, Memory> element;
-  Kokkos::View<double* [kContactSlots][3 + 3 * D], Rows, Memory> state;
-};
+/// Numbers of two materials in contact: (contactor * materials + target, 3).
+///   0: friction coefficient
+///   1: stiffness of the pair over that of the contactor's material against itself
+///   2: tangential over normal stiffness
+using ContactTable = Kokkos::View<double* [3], Rows, Memory>;
 
 /// Things that the host looks at now and then.
 struct ContactSignals {
-  enum { rim, lost, crowded, count };
-  Array<Index>
-      value;  ///< rim: 1 when a point is so deep that deeper targets are needed; the others count
+  static constexpr Index rim = 0, lost = 1, crowded = 2, count = 3;
+  /// rim: 1 when a point is so deep that deeper targets are needed; the others count.
+  Array<Index> value;
 };
 
 template <int D>
@@ -63,7 +58,7 @@ struct ContactStiffness {
   double factor = 5;      ///< kappa: k = kappa M / h per area
   double fixed = 0;       ///< Pa/m; above zero it replaces the rule
   double damping = 0.01;  ///< xi
-  Kokkos::View<const double* [3], Rows, Memory> material;  ///< M [Pa], G [Pa], density [kg/m3]
+  Kokkos::View<const double* [2], Rows, Memory> material;  ///< M [Pa], density [kg/m3]
 };
 template <int D>
 void set_contact_points(const ContactSurface<D>& surface, const ContactPairs<D>& pairs,

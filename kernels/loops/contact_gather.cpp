@@ -142,19 +142,25 @@ void gather_contact(const ContactSurface<D>& surface, const ContactPairs<D>& pai
 template <int D>
 void flag_contact(const ContactSurface<D>& surface, const ContactPairs<D>& pairs,
                   const ConstConnectivity<D>& element_nodes, const Array<std::uint32_t>& flags,
-                  std::uint32_t bit, bool set, const CornerForces<D>& force) {
+                  std::uint32_t bit) {
   for_each(
       "breccia::contact::flag", pairs.elements, KOKKOS_LAMBDA(Index i) {
         const Index e = surface.target(pairs.element(i));
-        for (int a = 0; a <= D; ++a) {
-          std::uint32_t* flag = &flags(element_nodes(e, a));
-          if (set) {
-            Kokkos::atomic_or(flag, bit);
-            continue;
-          }
-          Kokkos::atomic_and(flag, ~bit);
+        for (int a = 0; a <= D; ++a) Kokkos::atomic_or(&flags(element_nodes(e, a)), bit);
+      });
+}
+
+template <int D>
+void clear_contact(const ContactSurface<D>& surface, const ContactPairs<D>& pairs, Index nodes,
+                   const Array<std::uint32_t>& flags, std::uint32_t bit,
+                   const CornerForces<D>& force) {
+  for_each(
+      "breccia::contact::clear_flags", nodes, KOKKOS_LAMBDA(Index n) { flags(n) &= ~bit; });
+  for_each(
+      "breccia::contact::clear_forces", pairs.elements, KOKKOS_LAMBDA(Index i) {
+        const Index e = surface.target(pairs.element(i));
+        for (int a = 0; a <= D; ++a)
           for (int d = 0; d < D; ++d) force(e, a, d) = 0;
-        }
       });
 }
 
@@ -185,7 +191,9 @@ template void gather_contact<2>(const ContactSurface<2>&, const ContactPairs<2>&
                                 const CornerForces<2>&);
 template void flag_contact<2>(const ContactSurface<2>&, const ContactPairs<2>&,
                               const ConstConnectivity<2>&, const Array<std::uint32_t>&,
-                              std::uint32_t, bool, const CornerForces<2>&);
+                              std::uint32_t);
+template void clear_contact<2>(const ContactSurface<2>&, const ContactPairs<2>&, Index,
+                               const Array<std::uint32_t>&, std::uint32_t, const CornerForces<2>&);
 template void add_contact_stiffness<2>(const ContactStiffnessIn<2>&, const Array<double>&);
 
 }  // namespace breccia

@@ -9,11 +9,17 @@ template <int D>
 void gather_contact(const ContactSurface<D>& surface, const ContactPairs<D>& pairs,
                     const CornerForces<D>& force);
 
-/// Sets `bit` of the flags of all nodes of the involved elements, or clears it and their corner forces.
+/// Sets `bit` of the flags of all nodes of the involved elements.
 template <int D>
 void flag_contact(const ContactSurface<D>& surface, const ContactPairs<D>& pairs,
                   const ConstConnectivity<D>& element_nodes, const Array<std::uint32_t>& flags,
-                  std::uint32_t bit, bool set, const CornerForces<D>& force);
+                  std::uint32_t bit);
+
+/// Clears `bit` of all nodes and the corner forces of the involved elements.
+template <int D>
+void clear_contact(const ContactSurface<D>& surface, const ContactPairs<D>& pairs, Index nodes,
+                   const Array<std::uint32_t>& flags, std::uint32_t bit,
+                   const CornerForces<D>& force);
 
 template <int D>
 struct ContactStiffnessIn {
@@ -41,7 +47,10 @@ extern template void gather_contact<2>(const ContactSurface<2>&, const ContactPa
                                        const CornerForces<2>&);
 extern template void flag_contact<2>(const ContactSurface<2>&, const ContactPairs<2>&,
                                      const ConstConnectivity<2>&, const Array<std::uint32_t>&,
-                                     std::uint32_t, bool, const CornerForces<2>&);
+                                     std::uint32_t);
+extern template void clear_contact<2>(const ContactSurface<2>&, const ContactPairs<2>&, Index,
+                                      const Array<std::uint32_t>&, std::uint32_t,
+                                      const CornerForces<2>&);
 extern template void add_contact_stiffness<2>(const ContactStiffnessIn<2>&, const Array<double>&);
 
 }  // namespace breccia

@@ -5,8 +5,20 @@
 
 namespace breccia {
 
-/// What a field has one value for. `interface` counts inserted faces; it and `node` grow.
-enum class Entity { node, corner, element, family, face, interface, boundary, material, count_ };
+/// What a field has one value for. `interface` counts inserted faces, `contact_point` the points
+/// near another piece; they and `node` change their number.
+enum class Entity {
+  node,
+  corner,
+  element,
+  family,
+  face,
+  interface,
+  boundary,
+  material,
+  contact_point,
+  count_
+};
 
 inline constexpr int kEntities = static_cast<int>(Entity::count_);
 

@@ -1,6 +1,8 @@
 #include "scene/catalog.hpp"
 
 #include "modules/boundary/boundary.hpp"
+#include "modules/contact/contact.hpp"
+#include "modules/fracture/fracture.hpp"
 #include "modules/gravity/gravity.hpp"
 #include "modules/motion/motion.hpp"
 #include "modules/sensor/sensor.hpp"
@@ -15,17 +17,26 @@ std::vector<std::unique_ptr<Module<D>>> make_modules(const Settings& scene) {
   list.push_back(std::make_unique<Solid<D>>());
   if (Gravity<D>::wanted(scene)) list.push_back(std::make_unique<Gravity<D>>());
   if (Boundary<D>::wanted(scene)) list.push_back(std::make_unique<Boundary<D>>());
+  if (Fracture<D>::wanted(scene)) list.push_back(std::make_unique<Fracture<D>>());
+  // In space the schema refuses [contact].
+  if constexpr (D == 2)
+    if (Contact<2>::wanted(scene)) list.push_back(std::make_unique<Contact<2>>());
   if (Sensor<D>::wanted(scene)) list.push_back(std::make_unique<Sensor<D>>());
   return list;
 }
 
-void declare_module_keys(Schema&) {}
+void declare_module_keys(Schema& schema) {
+  declare_fracture_keys(schema);
+  declare_contact_keys(schema);
+}
 
 std::vector<EffectState> effects_of(const Settings& scene) {
   return {{"solid", true},
           {"motion", true},
           {"gravity", Gravity<2>::wanted(scene)},
           {"boundary", Boundary<2>::wanted(scene)},
+          {"fracture", Fracture<2>::wanted(scene)},
+          {"contact", Contact<2>::wanted(scene)},
           {"sensor", Sensor<2>::wanted(scene)}};
 }
 

@@ -20,7 +20,8 @@ void add_effects(const Simulation<D>& simulation, const std::vector<Cost>& costs
   for (const auto& module : simulation.modules()) {
     Report::Effect effect;
     effect.name = module->key();
-    effect.bytes = static_cast<std::int64_t>(simulation.model().store.bytes(effect.name));
+    effect.bytes =
+        static_cast<std::int64_t>(simulation.model().store.bytes(effect.name) + module->bytes());
     for (const Cost& cost : costs)
       if (cost.effect == effect.name) {
         effect.seconds = cost.seconds;

@@ -43,6 +43,8 @@ class Module {
   /// Events since the last call, in a fixed order.
   virtual std::vector<Event> take_events() { return {}; }
   virtual void count(Model<D>&, Counts&) const {}
+  /// Memory that is not in the store.
+  virtual std::size_t bytes() const { return 0; }
   /// State that is not in the store.
   virtual void archive(Archive&) {}
 };

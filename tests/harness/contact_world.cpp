@@ -86,15 +86,15 @@ void ContactWorld::update_surface() {
 
 void ContactWorld::search() {
   upload();
-  flag_contact<2>(surface, pairs, nodes_, flags_, kBit, false, force_);
+  clear_contact<2>(surface, pairs, mesh.points(), flags_, kBit, force_);
   take_contact_places<2>(x_, surface);
   search_contacts(surface, skin, search_scratch_, pairs);
   refresh_point_nodes(surface, pairs);
-  flag_contact<2>(surface, pairs, nodes_, flags_, kBit, true, force_);
+  flag_contact<2>(surface, pairs, nodes_, flags_, kBit);
   ContactStiffness<2> rule;
   rule.fixed = stiffness;
   rule.damping = xi;
-  Kokkos::View<double* [3], Rows, Memory> material("material", 1);
+  Kokkos::View<double* [2], Rows, Memory> material("material", 1);
   Kokkos::deep_copy(material, 1.0);
   rule.material = material;
   set_contact_points<2>(surface, pairs, material_, rule, point_);
@@ -106,6 +106,7 @@ void ContactWorld::search() {
   const auto table = Kokkos::create_mirror_view(table_);
   table(0, 0) = friction;
   table(0, 1) = 1;
+  table(0, 2) = 0.3;
   Kokkos::deep_copy(table_, table);
 }
 
@@ -130,12 +131,7 @@ void ContactWorld::force() {
 }
 
 double ContactWorld::stored() const {
-  const auto element = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, history.element);
-  const auto state = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, history.state);
-  double sum = 0;
-  for (Index a = 0; a < pairs.points; ++a)
-    for (int s = 0; s < kContactSlots; ++s) sum += element(a, s) == kNone ? 0 : state(a, s, 2);
-  return sum;
+  return stored_energy(history, pairs.points);
 }
 
 Index ContactWorld::signal(int which) const {

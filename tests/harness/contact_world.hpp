@@ -20,14 +20,14 @@ class ContactWorld {
 
   Mesh<2> mesh;
   Topology<2> topology;
-  std::vector<Vec<2>> x, v;                 ///< current
-  double stiffness = 1e9;                   ///< k per area, Pa/m
-  double xi = 0, friction = 0;              ///< damping, friction coefficient
-  double skin = 0.02;                       ///< m
+  std::vector<Vec<2>> x, v;     ///< current
+  double stiffness = 1e9;       ///< k per area, Pa/m
+  double xi = 0, friction = 0;  ///< damping, friction coefficient
+  double skin = 0.02;           ///< m
   double dt_before = 0, keep = 0;
   bool smooth = true, jumped = false;
   Index layers = 2;
-  std::vector<char> released;               ///< per shared face of the topology
+  std::vector<char> released;  ///< per shared face of the topology
 
   void update_surface();  ///< facets, targets, potential
   void search();

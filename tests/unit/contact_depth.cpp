@@ -26,8 +26,7 @@ Mesh<2> block(Point<2> lower, Point<2> upper, Index nx, Index ny, Pattern patter
 template <class Exact>
 void expect_depth(const ContactWorld& world, const Exact& exact, double tolerance) {
   const auto target = to_host(world.surface.target, world.surface.targets);
-  const auto depth =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, world.surface.depth);
+  const auto depth = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, world.surface.depth);
   for (Index t = 0; t < world.surface.targets; ++t)
     for (int a = 0; a < 3; ++a) {
       const Vec<2> at = world.x[world.mesh.element[target[t]][a]];
@@ -44,7 +43,10 @@ TEST(ContactDepth, RectangleIsExact) {
       world.update_surface();
       expect_depth(
           world,
-          [](const Vec<2>& p) { return std::min({p[0], 2 - p[0], p[1], 1 - p[1]}); }, 1e-14);
+          [](const Vec<2>& p) {
+            return std::min({p[0], 2 - p[0], p[1], 1 - p[1]});
+          },
+          1e-14);
     }
 }
 
@@ -90,8 +92,7 @@ TEST(ContactDepth, PolygonAndNormals) {
   world.layers = 0;
   world.update_surface();
   const auto target = to_host(world.surface.target, world.surface.targets);
-  const auto depth =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, world.surface.depth);
+  const auto depth = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, world.surface.depth);
   const double apothem = std::cos(std::numbers::pi / kSides);
   for (Index t = 0; t < world.surface.targets; ++t)
     for (int a = 0; a < 3; ++a) {

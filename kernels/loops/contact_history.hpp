@@ -1,0 +1,64 @@
+#pragma once
+#include "base/sums.hpp"
+#include "loops/contact_lists.hpp"
+
+namespace breccia {
+
+/// Memory of the contact points (point, slot): element that the point was last in, and its state
+/// (depth, offset, stored, slip, force, viscous), see point/contact_law.hpp. A negative depth marks
+/// a point that an interface has just handed over: only its slip is known.
+template <int D>
+struct ContactHistory {
+  static constexpr int kNumbers = 3 + 3 * D;
+  enum { depth = 0, offset = 1, stored = 2, slip = 3, force = 3 + D, viscous = 3 + 2 * D };
+  Kokkos::View<Index* [kContactSlots], Rows, Memory> element;
+  Kokkos::View<double* [kContactSlots][kNumbers], Rows, Memory> state;
+};
+
+/// Moves the memories of the points of the old list to their places in the new one; both ascend.
+/// New points remember nothing.
+template <int D>
+void carry_history(const Array<Index>& old_point, Index old_points, const ContactHistory<D>& old,
+                   const Array<Index>& point, Index points, const ContactHistory<D>& now);
+
+/// Copies a list of points and their memories.
+template <int D>
+void copy_history(const Array<Index>& from_point, const ContactHistory<D>& from, Index points,
+                  const Array<Index>& to_point, const ContactHistory<D>& to);
+
+/// What interfaces leave to the points on the faces that they release (ALGORITHMS ).
+template <int D>
+struct ContactHandover {
+  Array<Index> old_facet;  ///< facets before the release, ascending
+  Index old_facets = 0;
+  ConstConnectivity<D> element_faces;
+  ConstRanges face_elements;
+  Kokkos::View<const std::uint8_t*, Memory> face_code;
+  Kokkos::View<const Index*, Memory> face_interface;
+  /// Elastic slip of the right side against the left at the left face's corners, m.
+  Kokkos::View<const double* [D][D], Rows, Memory> slip;
+};
+
+/// Starts the memories of points on faces that have just been released.
+template <int D>
+void take_over(const ContactHandover<D>& in, const ContactPairs<D>& pairs,
+               const ContactHistory<D>& history);
+
+/// Energy that the springs of all contacts hold, J; added up in a fixed order.
+template <int D>
+double stored_energy(const ContactHistory<D>& history, Index points);
+
+/// Points that press.
+template <int D>
+Index pressing_points(const ContactHistory<D>& history, Index points);
+
+extern template void carry_history<2>(const Array<Index>&, Index, const ContactHistory<2>&,
+                                      const Array<Index>&, Index, const ContactHistory<2>&);
+extern template void copy_history<2>(const Array<Index>&, const ContactHistory<2>&, Index,
+                                     const Array<Index>&, const ContactHistory<2>&);
+extern template void take_over<2>(const ContactHandover<2>&, const ContactPairs<2>&,
+                                  const ContactHistory<2>&);
+extern template double stored_energy<2>(const ContactHistory<2>&, Index);
+extern template Index pressing_points<2>(const ContactHistory<2>&, Index);
+
+}  // namespace breccia

@@ -1,0 +1,201 @@
+#include "modules/contact/contact.hpp"
+
+#include "loops/contact_gather.hpp"
+#include "modules/contact/contact_fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace breccia {
+
+namespace {
+
+/// Steps over which a jump of the potential fades (ALGORITHMS ).
+constexpr double kFading = 30;
+
+double harmonic(double a, double b) {
+  return 2 * a * b / (a + b);
+}
+
+}  // namespace
+
+template <int D>
+void Contact<D>::declare(Model<D>& model) {
+  Store& s = model.store;
+  s.add<ContactForce<D>>(key());
+  s.add<ContactPoint>(key());
+  s.add<ContactElement>(key());
+  s.add<ContactMemory<D>>(key());
+}
+
+template <int D>
+void Contact<D>::read_tables(const Model<D>& model) {
+  const Settings& contact = model.scene->at("contact");
+  rule_.factor = contact.number("stiffness_factor");
+  rule_.fixed = contact.maybe_number("stiffness").value_or(0.0);
+  rule_.damping = contact.number("damping");
+  smooth_ = contact.text("direction") == "smooth";
+  const auto& materials = model.materials;
+  const std::size_t n = materials.size();
+  std::vector<double> friction(n * n, contact.number("friction"));
+  for (const Settings& pair : contact.list("pair")) {
+    const auto& names = pair.texts("between");
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        if ((materials[i].name == names[0] && materials[j].name == names[1]) ||
+            (materials[i].name == names[1] && materials[j].name == names[0]))
+          friction[i * n + j] = pair.number("friction");
+  }
+  rubs_ = std::any_of(friction.begin(), friction.end(), [](double mu) { return mu > 0; });
+  Kokkos::View<double* [2], Rows, Memory> moduli("breccia::contact::moduli", n);
+  table_ = ContactTable("breccia::contact::table", n * n);
+  const auto host = Kokkos::create_mirror_view(moduli);
+  const auto table = Kokkos::create_mirror_view(table_);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double own = model.p_wave_modulus(static_cast<Index>(i));
+    host(i, 0) = own;
+    host(i, 1) = materials[i].density;
+    for (std::size_t j = 0; j < n; ++j) {
+      const double both = harmonic(own, model.p_wave_modulus(static_cast<Index>(j)));
+      table(i * n + j, 0) = friction[i * n + j];
+      table(i * n + j, 1) = rule_.fixed > 0 ? 1.0 : both / own;
+      table(i * n + j, 2) = harmonic(materials[i].mu(), materials[j].mu()) / both;
+    }
+  }
+  Kokkos::deep_copy(moduli, host);
+  Kokkos::deep_copy(table_, table);
+  rule_.material = moduli;
+}
+
+template <int D>
+void Contact<D>::bind(Model<D>& model) {
+  read_tables(model);
+  lists_.prepare(model, model.scene->at("contact").number("skin"));
+  lists_.start(model, rule_);
+}
+
+template <int D>
+void Contact<D>::resume(Model<D>& model) {
+  read_tables(model);
+  const auto signals = lists_.signals();
+  lists_.prepare(model, model.scene->at("contact").number("skin"));
+  if (signals.value.extent(0) > 0) Kokkos::deep_copy(lists_.signals().value, signals.value);
+  lists_.resume(model, rule_);
+}
+
+template <int D>
+void Contact<D>::enlist(Model<D>& model, Plan& plan) {
+  plan.add(Stage::search, "contact::search", key(),
+           [this, &model](const Clock& clock) { lists_.look(model, clock, rule_); })
+      .template reading<NodePosition<D>, NodeVelocity<D>, ElementNodes<D>>()
+      .template writing<NodeFlags, ContactPoint>();
+  plan.add(Stage::contact_force, "contact::force", key(),
+           [this, &model](const Clock& clock) { act(model, clock); })
+      .template reading<NodePosition<D>, NodeVelocity<D>, ContactPoint>()
+      .template writing<ContactForce<D>, ContactMemory<D>>();
+}
+
+template <int D>
+void Contact<D>::act(Model<D>& model, const Clock& clock) {
+  const ContactPairs<D>& pairs = lists_.pairs();
+  const bool jumped = lists_.take_jump();
+  if (pairs.points == 0) return;
+  const auto chunks = static_cast<std::size_t>(chunks_of(pairs.points));
+  if (lost_.extent(0) < chunks) Kokkos::resize(lost_, chunks + chunks / 4);
+  const Store& s = model.store;
+  ContactForceIn<D> in;
+  in.surface = lists_.surface();
+  in.pairs = pairs;
+  in.point = lists_.point();
+  in.x = s.get<NodePosition<D>>();
+  in.v = s.get<NodeVelocity<D>>();
+  in.element_nodes = s.get<ElementNodes<D>>();
+  in.element_material = s.get<ElementMaterial>();
+  in.table = table_;
+  in.materials = static_cast<Index>(model.materials.size());
+  in.dt_before = clock.dt_before;
+  in.keep = std::exp(-1 / kFading);
+  in.jumped = jumped;
+  in.smooth = smooth_;
+  contact_force<D>(in, {lists_.history(model), lists_.signals(), lost_});
+  gather_contact<D>(lists_.surface(), pairs, s.get<ContactForce<D>>());
+}
+
+template <int D>
+void Contact<D>::add_stiffness(Model<D>& model, const Array<double>& stiffness) const {
+  const Store& s = model.store;
+  ContactStiffnessIn<D> in;
+  in.surface = lists_.surface();
+  in.pairs = lists_.pairs();
+  in.point = lists_.point();
+  in.element_material = s.get<ElementMaterial>();
+  in.table = table_;
+  in.materials = static_cast<Index>(model.materials.size());
+  in.element_nodes = s.get<ElementNodes<D>>();
+  in.corners = s.get<NodeCorners>();
+  in.corner_list = s.get<CornerList>();
+  in.flags = s.get<NodeFlags>();
+  in.bit = node_flag::contact;
+  in.nodes = model.nodes();
+  add_contact_stiffness(in, stiffness);
+}
+
+template <int D>
+void Contact<D>::book(Model<D>& model, Ledger& ledger) const {
+  const Index points = model.store.count(Entity::contact_point);
+  const Sums<3> lost = total_of(lost_);
+  ledger.add("CT_stored", EnergyKind::stored, stored_energy(lists_.history(model), points));
+  if (rubs_) ledger.add("CT_friction", EnergyKind::dissipated, lost[0]);
+  ledger.add("CT_viscous", EnergyKind::dissipated, lost[1]);
+  ledger.add("CT_numeric", EnergyKind::dissipated, lost[2]);
+}
+
+template <int D>
+void Contact<D>::draw(Model<D>& model, Picture& picture) const {
+  const Store& s = model.store;
+  const auto force =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, s.get<ContactForce<D>>());
+  const auto nodes =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, s.get<ElementNodes<D>>());
+  PictureField field{"contact_force", "N", D, {}};
+  field.values.assign(static_cast<std::size_t>(model.nodes()) * D, 0.0);
+  for (Index e = 0; e < model.elements(); ++e)
+    for (int a = 0; a <= D; ++a)
+      for (int d = 0; d < D; ++d)
+        field.values[static_cast<std::size_t>(nodes(e, a)) * D + d] += force(e, a, d);
+  picture.node_fields.push_back(std::move(field));
+}
+
+template <int D>
+void Contact<D>::observe(Model<D>& model, const Clock&, Moment moment, Row& row) {
+  if (moment != Moment::before) return;
+  Counts counts;
+  count(model, counts);
+  row.set("contacts", static_cast<double>(counts.contact_points));
+  const auto signals =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, lists_.signals().value);
+  row.set("contacts_lost", signals(ContactSignals::lost));
+}
+
+template <int D>
+void Contact<D>::count(Model<D>& model, Counts& counts) const {
+  counts.contact_points +=
+      pressing_points(lists_.history(model), model.store.count(Entity::contact_point));
+}
+
+template <int D>
+void Contact<D>::archive(Archive& archive) {
+  lists_.archive(archive);
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, lost_);
+  std::vector<double> values(host.data(), host.data() + host.size());
+  archive.numbers("contact.lost", values);
+  if (!archive.loading()) return;
+  lost_ = ChunkSums<3>("breccia::contact::lost", values.size() / 3);
+  const auto mirror = Kokkos::create_mirror_view(lost_);
+  std::copy(values.begin(), values.end(), mirror.data());
+  Kokkos::deep_copy(lost_, mirror);
+}
+
+template class Contact<2>;
+
+}  // namespace breccia

@@ -1,0 +1,45 @@
+#pragma once
+#include "core/schema.hpp"
+#include "loops/contact_force.hpp"
+#include "modules/contact/contact_lists.hpp"
+#include "step/module.hpp"
+
+namespace breccia {
+
+/// [contact] and [[contact.pair]].
+void declare_contact_keys(Schema& schema);
+
+/// Bodies, fragments and the two sides of broken faces press and rub against each other.
+/// In the plane only: the schema's rule refuses [contact] in a scene of three dimensions.
+template <int D>
+class Contact final : public Module<D> {
+ public:
+  static bool wanted(const Settings& scene) { return scene.has("contact"); }
+  static void declare_keys(Schema& schema) { declare_contact_keys(schema); }
+
+  std::string key() const override { return "contact"; }
+  void declare(Model<D>& model) override;
+  void bind(Model<D>& model) override;
+  void resume(Model<D>& model) override;
+  void enlist(Model<D>& model, Plan& plan) override;
+  void add_stiffness(Model<D>& model, const Array<double>& stiffness) const override;
+  void book(Model<D>& model, Ledger& ledger) const override;
+  void draw(Model<D>& model, Picture& picture) const override;
+  void observe(Model<D>& model, const Clock& clock, Moment moment, Row& row) override;
+  void count(Model<D>& model, Counts& counts) const override;
+  std::size_t bytes() const override { return lists_.bytes(); }
+  void archive(Archive& archive) override;
+
+ private:
+  void act(Model<D>& model, const Clock& clock);
+  void read_tables(const Model<D>& model);
+
+  ContactLists<D> lists_;
+  ContactStiffness<D> rule_;
+  ContactTable table_;
+  bool smooth_ = true;
+  bool rubs_ = false;  ///< some friction coefficient is above zero
+  ChunkSums<3> lost_;  ///< J: friction, viscous, numeric
+};
+
+}  // namespace breccia

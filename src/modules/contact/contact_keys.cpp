@@ -1,0 +1,70 @@
+#include "modules/contact/contact.hpp"
+
+namespace breccia {
+
+namespace {
+
+void check_contact_rules(const Settings& scene, Problems& problems) {
+  if (!scene.has("contact")) return;
+  const Settings& contact = scene.at("contact");
+  if (scene.at("run").integer("dimension") == 3)
+    problems.add(contact.error("", "3D contact follows in a later release",
+                               "leave [contact] out, or make the scene two-dimensional"));
+  for (const Settings& pair : contact.list("pair"))
+    if (pair.texts("between").size() != 2)
+      problems.add(pair.error("between", "a pair has two materials",
+                              "write [\"a\", \"b\"], or [\"a\", \"a\"] for a against itself"));
+}
+
+}  // namespace
+
+void declare_contact_keys(Schema& schema) {
+  SectionBuilder contact = schema.section("contact");
+  contact.effect("contact").doc(
+      "Bodies, fragments and the sides of cracks press and rub against each other.");
+  contact.number("friction", unit::none)
+      .at_least(0)
+      .by_default(0.0)
+      .example("0.3")
+      .doc("Friction coefficient between all materials.");
+  contact.number("stiffness_factor", unit::none)
+      .between(0.5, 1000)
+      .by_default(5.0)
+      .doc(
+          "Contact stiffness times half the height of the elements, over their modulus; the same "
+          "as that of interfaces keeps forces continuous at release. A larger one lets bodies "
+          "overlap less and costs time steps.");
+  contact.number("stiffness", unit::interface_stiffness)
+      .above(0)
+      .example("1e14 Pa/m")
+      .doc("Contact stiffness per area, instead of stiffness_factor.");
+  contact.number("damping", unit::none)
+      .between(0, 1)
+      .by_default(0.01)
+      .doc(
+          "Share of critical damping in contact; at least 0.005 keeps the kink between touching "
+          "and apart from feeding energy in.");
+  contact.number("skin", unit::none)
+      .above(0)
+      .at_most(10)
+      .by_default(0.2)
+      .doc(
+          "Reach of the contact search over the smallest element at a surface: a larger one "
+          "searches less often and looks at more pairs.");
+  contact.choice("direction", {"smooth", "conservative"})
+      .by_default("smooth")
+      .doc(
+          "Direction of the force: the smoothed gradient of the depth, or its exact gradient, "
+          "which turns between elements but keeps energy to round-off.");
+  SectionBuilder pair = schema.section("contact.pair[]");
+  pair.doc("Friction between two materials, where it differs.");
+  pair.texts("between")
+      .required()
+      .names_one_of("material")
+      .example("[\"steel\", \"granite\"]")
+      .doc("The two materials.");
+  pair.number("friction", unit::none).at_least(0).required().doc("Friction coefficient.");
+  schema.check(check_contact_rules);
+}
+
+}  // namespace breccia

@@ -1,0 +1,244 @@
+#include "modules/contact/contact_lists.hpp"
+
+#include "fields/interface_fields.hpp"
+#include "loops/contact_gather.hpp"
+#include "loops/list_tools.hpp"
+#include "modules/contact/contact_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace breccia {
+
+namespace {
+
+/// Nodes are looked at after this many steps at the latest. At 0.5 h per step of the fastest wave
+/// and strains below 2 % they move less than a tenth of h meanwhile, the default half skin.
+constexpr double kLongestBlink = 8;
+/// Share of the room left in the skin that the speeds of now may use up before the next look;
+/// half, so that speeds may double meanwhile.
+constexpr double kRoom = 0.5;
+
+}  // namespace
+
+template <int D>
+ContactHistory<D> ContactLists<D>::history(const Model<D>& model) {
+  return {model.store.template get<ContactElement>(), model.store.template get<ContactMemory<D>>()};
+}
+
+template <int D>
+void ContactLists<D>::prepare(const Model<D>& model, double skin) {
+  std::vector<Index> free;
+  for (const ElementFace& f : model.topology.free) free.push_back(f.element * (D + 1) + f.face);
+  free_facet_ = to_device("breccia::contact::free_facets", free);
+  signals_.value = Array<Index>("breccia::contact::signals", ContactSignals::count);
+  skin_share_ = skin;
+}
+
+template <int D>
+void ContactLists<D>::start(Model<D>& model, const ContactStiffness<D>& rule) {
+  model.store.set_count(Entity::contact_point, 0);
+  make_surface(model);
+  take_contact_places<D>(model.store.template get<NodePosition<D>>(), surface_);
+  make_pairs(model, rule);
+  carry(model, false);
+  jumped_ = false;
+}
+
+template <int D>
+void ContactLists<D>::resume(Model<D>& model, const ContactStiffness<D>& rule) {
+  // With releases pending the next search stage makes everything anew from the memories alone.
+  if (releases_ != model.releases) return;
+  make_surface(model);
+  const auto place = Kokkos::create_mirror_view(surface_.place);
+  const std::size_t n = std::min(saved_places_.size(), place.size());
+  std::copy_n(saved_places_.begin(), n, place.data());
+  Kokkos::deep_copy(surface_.place, place);
+  make_pairs(model, rule);
+  jumped_ = false;
+}
+
+template <int D>
+void ContactLists<D>::look(Model<D>& model, const Clock& clock, const ContactStiffness<D>& rule) {
+  const bool released = model.releases != releases_;
+  if (!released && model.splits != splits_) {
+    refresh_contact_nodes<D>(model.store.template get<ElementNodes<D>>(), surface_);
+    refresh_point_nodes(surface_, pairs_);
+    splits_ = model.splits;
+  }
+  bool due = released, deeper = false;
+  if (!released && clock.step >= next_look_) {
+    due = far(model, clock);
+    deeper = deepen();
+  }
+  if (!due && !deeper) return;
+  clear(model);
+  if (released || deeper) make_surface(model);
+  take_contact_places<D>(model.store.template get<NodePosition<D>>(), surface_);
+  make_pairs(model, rule);
+  carry(model, released);
+  last_look_ = clock.step;
+  next_look_ = clock.step + 1;
+  model.step_is_stale = model.step_is_stale || pairs_.pairs > 0;
+}
+
+/// True when a node may have left its half of the skin.
+template <int D>
+bool ContactLists<D>::far(Model<D>& model, const Clock& clock) {
+  const ContactWay now = contact_way<D>(model.store.template get<NodePosition<D>>(),
+                                        model.store.template get<NodeVelocity<D>>(), surface_);
+  const double room = 0.5 * skin_ - now.way;
+  if (room < 0) {
+    // At the step before, with which the list was still used, the node was this much nearer.
+    if (clock.step > last_look_ + 1 && -room > now.speed * clock.dt_before && !model.stop.raised) {
+      model.stop.raised = true;
+      model.stop.cause = fmt::format(
+          "the contact search came too late at time {:.6g} s (step {}): a surface node moved by "
+          "{:.4g} m since the last one, and only {:.4g} m are covered; speeds grew more than "
+          "twofold within {} steps. Likely causes are a load or impact much faster than the waves "
+          "can carry, or a contact.skin that is too small",
+          clock.time, clock.step, now.way, 0.5 * skin_, clock.step - last_look_);
+    }
+    return true;
+  }
+  const double way = now.speed * clock.dt;
+  const double steps = way > 0 ? kRoom * room / way : kLongestBlink;
+  last_look_ = clock.step;
+  next_look_ = clock.step + static_cast<std::int64_t>(std::clamp(steps, 1.0, kLongestBlink));
+  return false;
+}
+
+/// More layers of targets when a point has reached the deepest.
+template <int D>
+bool ContactLists<D>::deepen() {
+  const auto rim = Kokkos::subview(signals_.value, ContactSignals::rim);
+  Index deep = 0;
+  Kokkos::deep_copy(deep, rim);
+  if (deep == 0) return false;
+  Kokkos::deep_copy(rim, Index(0));
+  if (!deeper_exist_) return false;
+  layers_ += 2;
+  return true;
+}
+
+template <int D>
+void ContactLists<D>::clear(Model<D>& model) const {
+  clear_contact<D>(surface_, pairs_, model.nodes(), model.store.template get<NodeFlags>(),
+                   node_flag::contact, model.store.template get<ContactForce<D>>());
+}
+
+template <int D>
+void ContactLists<D>::make_surface(Model<D>& model) {
+  const Store& s = model.store;
+  std::swap(old_facet_, surface_.facet);
+  old_facets_ = surface_.facets;
+  ContactSurfaceIn<D> in;
+  in.nodes = model.nodes();
+  in.elements = model.elements();
+  in.element_nodes = s.get<ElementNodes<D>>();
+  in.reference = s.get<NodeReference<D>>();
+  in.corners = s.get<NodeCorners>();
+  in.corner_list = s.get<CornerList>();
+  in.free_facet = free_facet_;
+  if (s.has<FaceStatus>()) {
+    in.faces = s.count(Entity::face);
+    in.face_status = s.get<FaceStatus>();
+    in.face_code = s.get<FaceCode>();
+    in.face_elements = s.get<FaceElements>();
+    in.released = face_status::released;
+  }
+  in.thickness = model.thickness;
+  in.layers = static_cast<Index>(layers_);
+  deeper_exist_ = update_contact_surface(in, scratch_, surface_);
+  skin_ = skin_share_ * smallest_contact_size(surface_);
+  releases_ = model.releases;
+  splits_ = model.splits;
+  jumped_ = true;
+}
+
+template <int D>
+void ContactLists<D>::make_pairs(Model<D>& model, const ContactStiffness<D>& rule) {
+  const Store& s = model.store;
+  search_contacts(surface_, skin_, search_scratch_, pairs_);
+  refresh_point_nodes(surface_, pairs_);
+  flag_contact<D>(surface_, pairs_, s.get<ElementNodes<D>>(), s.get<NodeFlags>(),
+                  node_flag::contact);
+  set_contact_points<D>(surface_, pairs_, s.get<ElementMaterial>(), rule, point_);
+}
+
+/// Memories follow their points into the new list; released faces bring those of their interfaces.
+template <int D>
+void ContactLists<D>::carry(Model<D>& model, bool released) {
+  Store& s = model.store;
+  const Index points = pairs_.points;
+  make_room(spare_.element, points);
+  make_room(spare_.state, points);
+  carry_history<D>(s.get<ContactPoint>(), s.count(Entity::contact_point), history(model),
+                   pairs_.point, points, spare_);
+  if (released && s.has<InterfaceSlip<D>>()) {
+    ContactHandover<D> in;
+    in.old_facet = old_facet_;
+    in.old_facets = old_facets_;
+    in.element_faces = s.get<ElementFaces<D>>();
+    in.face_elements = s.get<FaceElements>();
+    in.face_code = s.get<FaceCode>();
+    in.face_interface = s.get<FaceInterface>();
+    in.slip = s.get<InterfaceSlip<D>>();
+    take_over<D>(in, pairs_, spare_);
+  }
+  if (points > s.capacity(Entity::contact_point))
+    s.set_size(Entity::contact_point, 0, points + points / 4 + 16);
+  s.set_count(Entity::contact_point, points);
+  copy_history<D>(pairs_.point, spare_, points, s.get<ContactPoint>(), history(model));
+}
+
+template <int D>
+void ContactLists<D>::archive(Archive& archive) {
+  archive.integer("contact.layers", layers_);
+  archive.integer("contact.releases", releases_);
+  archive.integer("contact.splits", splits_);
+  archive.integer("contact.last_look", last_look_);
+  archive.integer("contact.next_look", next_look_);
+  if (!archive.loading()) {
+    const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, surface_.place);
+    saved_places_.assign(place.data(), place.data() + surface_.targets * (D + 1) * D);
+  }
+  archive.numbers("contact.places", saved_places_);
+  std::vector<std::int64_t> signals(ContactSignals::count);
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, signals_.value);
+  if (host.extent(0) > 0)
+    for (int i = 0; i < ContactSignals::count; ++i) signals[i] = host(i);
+  archive.integers("contact.signals", signals);
+  if (!archive.loading()) return;
+  std::vector<Index> read(signals.begin(), signals.end());
+  signals_.value = to_device("breccia::contact::signals", read);
+}
+
+namespace {
+template <class... Views>
+std::size_t memory_of(const Views&... views) {
+  return (std::size_t{0} + ... + (views.span() * sizeof(typename Views::value_type)));
+}
+}  // namespace
+
+template <int D>
+std::size_t ContactLists<D>::bytes() const {
+  const auto& s = surface_;
+  const auto& p = pairs_;
+  const auto& c = scratch_;
+  const auto& b = search_scratch_;
+  return memory_of(s.facet, s.facet_target, s.area, s.height, s.target, s.rim, s.nodes, s.place,
+                   s.depth, s.bubble, s.slope, old_facet_, free_facet_) +
+         memory_of(p.point, p.facet, p.pair_begin, p.target, p.own_begin, p.come_begin, p.come,
+                   p.element, p.nodes, p.hit, p.pair_force, p.pair_weight, p.point_force) +
+         memory_of(point_.constants, point_.material, spare_.element, spare_.state) +
+         memory_of(c.surface, c.height, c.level, c.chosen, c.ring, c.nearest, c.nearer, c.depth,
+                   c.gradient) +
+         memory_of(b.bins.begin, b.bins.fill, b.bins.tag, b.bins.target, b.count);
+}
+
+template class ContactLists<2>;
+
+}  // namespace breccia

@@ -1,0 +1,59 @@
+#pragma once
+#include "loops/contact_force.hpp"
+#include "loops/contact_search.hpp"
+#include "loops/contact_surface.hpp"
+#include "step/clock.hpp"
+#include "step/model.hpp"
+#include "step/observation.hpp"
+
+namespace breccia {
+
+/// Surface, targets and candidate pairs of a model, and when they are made anew (ALGORITHMS,
+/// at once after faces were released; otherwise before any node has moved by half the skin
+/// since the last search. Nodes are looked at every step, or less often while they are slow.
+template <int D>
+class ContactLists {
+ public:
+  /// Free faces of the mesh. `skin`: share of the smallest element behind the surface.
+  void prepare(const Model<D>& model, double skin);
+  /// First surface and search; no point remembers anything.
+  void start(Model<D>& model, const ContactStiffness<D>& rule);
+  /// The same lists as before the checkpoint, bit for bit.
+  void resume(Model<D>& model, const ContactStiffness<D>& rule);
+  /// The search stage of a step.
+  void look(Model<D>& model, const Clock& clock, const ContactStiffness<D>& rule);
+
+  const ContactSurface<D>& surface() const { return surface_; }
+  const ContactPairs<D>& pairs() const { return pairs_; }
+  const ContactPointData<D>& point() const { return point_; }
+  const ContactSignals& signals() const { return signals_; }
+  /// True once after the potential was computed anew.
+  bool take_jump() { return std::exchange(jumped_, false); }
+  static ContactHistory<D> history(const Model<D>& model);
+  std::size_t bytes() const;
+  void archive(Archive& archive);
+
+ private:
+  bool far(Model<D>& model, const Clock& clock);
+  bool deepen();
+  void clear(Model<D>& model) const;
+  void make_surface(Model<D>& model);
+  void make_pairs(Model<D>& model, const ContactStiffness<D>& rule);
+  void carry(Model<D>& model, bool released);
+
+  ContactSurface<D> surface_;
+  ContactPairs<D> pairs_;
+  ContactPointData<D> point_;
+  ContactSignals signals_;
+  ContactScratch<D> scratch_;
+  ContactSearchScratch<D> search_scratch_;
+  ContactHistory<D> spare_;
+  Array<Index> free_facet_, old_facet_;
+  Index old_facets_ = 0;
+  std::vector<double> saved_places_;  ///< between `archive` and `resume`
+  double skin_share_ = 0, skin_ = 0;
+  std::int64_t layers_ = 2, splits_ = 0, releases_ = 0, last_look_ = 0, next_look_ = 0;
+  bool deeper_exist_ = false, jumped_ = false;
+};
+
+}  // namespace breccia
