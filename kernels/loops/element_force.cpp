@@ -30,7 +30,7 @@ struct ElementForceLoop {
     Sym<D, R> tau = in.law.kirchhoff(hencky_strain(left_cauchy_green(f), jacobian));
     if constexpr (kWatched) watch(first, tau, jacobian);
     if constexpr (kDamped) {
-      const Sym<D, R> viscous_stress = damp(first, last, cofactors, det, jacobian, viscous);
+      const Sym<D, R> viscous_stress = damp(first, last, g, det, jacobian, viscous);
       tau += viscous_stress;
     }
     put(first, tau, cofactors, jacobian);
@@ -64,15 +64,22 @@ struct ElementForceLoop {
   }
 
   /// tau_v = beta (lambda tr(d) 1 + 2 mu d) with d the rate of deformation and beta such that
-  /// the element's highest mode is damped by the given fraction of critical.
+  /// the element's highest mode is damped by the given fraction of critical. The velocities are
+  /// those of half a step ago and so is the shape that d is taken at: then a rotation, whose
+  /// chords the velocities are, has no d at all (a midpoint rule is a Cayley transform).
   KOKKOS_FORCEINLINE_FUNCTION
-  Sym<D, R> damp(Index first, Index last, const Mat<D, R>& cofactors, const R& det,
-                 const R& jacobian, Sums<1>& viscous) const {
+  Sym<D, R> damp(Index first, Index last, const Mat<D, R>& g, const R& det, const R& jacobian,
+                 Sums<1>& viscous) const {
     Vec<D, R> v[D + 1];
     gather(in.nodes, in.v, first, last, v);
-    const Mat<D, R> h = edges<D, R>(v) * transpose(cofactors);  // velocity gradient times det
-    const R over = R(1) / det;
-    Sym<D, R> d = symmetric_part(h) * over;
+    const Mat<D, R> rate = edges<D, R>(v);
+    Mat<D, R> middle;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) middle(i, j) = g(i, j) - R(in.lag) * rate(i, j);
+    const Mat<D, R> cofactors = cofactor(middle);
+    const R over = R(1) / dot_columns(middle, cofactors);
+    const Mat<D, R> h = rate * transpose(cofactors);  // velocity gradient times the determinant
+    const Sym<D, R> d = symmetric_part(h) * over;
     R heights = R(0);  // sum over corners of 1 / height^2
     for (int i = 0; i < D; ++i) {
       R sum = R(0);

@@ -18,6 +18,7 @@ struct ElementForceIn {
   double wave_speed;         ///< sqrt(P-wave modulus / density), m/s
   double damping;            ///< fraction of critical at each element's highest mode
   double kick;               ///< s, for the dissipated energy
+  double lag;                ///< s, how far the velocities are behind the positions
   double thickness;          ///< m, 1 in 3D
   double smallest_jacobian;  ///< elements below it are reported
   StressWatch watch;

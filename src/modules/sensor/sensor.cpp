@@ -1,7 +1,6 @@
 #include "modules/sensor/sensor.hpp"
 
 #include "base/mat.hpp"
-#include "loops/element_stress.hpp"
 #include "loops/sampling.hpp"
 #include "step/selection.hpp"
 
@@ -39,15 +38,14 @@ std::array<double, D + 1> barycentric(const Mesh<D>& mesh, Index element,
 }
 
 template <int D>
-Sym<D> stress_at(const Model<D>& model, Index element) {
+Sym<D> stress_at(const Model<D>& model, Index element, const std::vector<double>& shares) {
   const Store& s = model.store;
   const ElementStress<D> stress{s.get<ElementNodes<D>>(),     s.get<NodePosition<D>>(),
                                 s.get<ElementReference<D>>(), s.get<ElementMaterial>(),
                                 s.get<MaterialLame>(),        model.thickness};
-  const Kokkos::View<Sym<D>, Memory> out("breccia::sensor::stress");
-  run_once(
-      "breccia::sensor::stress", KOKKOS_LAMBDA(Index) { out() = stress.cauchy(element); });
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, out)();
+  StressPoint<D> at{element, {}};
+  for (int a = 0; a <= D; ++a) at.shares[a] = shares[static_cast<std::size_t>(a)];
+  return sample_stress(stress, s.get<NodeCorners>(), s.get<CornerList>(), at);
 }
 
 }  // namespace
@@ -166,13 +164,13 @@ void Sensor<D>::find_copies(const Model<D>& model) {
 }
 
 template <int D>
-void Sensor<D>::observe(Model<D>& model, const Clock&, Moment moment, Row& row) {
+void Sensor<D>::observe(Model<D>& model, const Clock& clock, Moment moment, Row& row) {
   if (moment == Moment::before) find_copies(model);
   for (const Probe& probe : probes_) {
     if (moment == Moment::before)
       before(model, probe, row);
     else
-      after(model, probe, row);
+      after(model, probe, clock, row);
   }
 }
 
@@ -189,13 +187,13 @@ void Sensor<D>::before(Model<D>& model, const Probe& probe, Row& row) const {
   for (int d = 0; d < D; ++d) row.set(probe.name + ".u" + kAxes[d], u[d]);
   for (int d = 0; d < D; ++d) row.set(probe.name + ".v" + kAxes[d], v[d]);
   if (probe.kind != Kind::point) return;
-  const Sym<D> sigma = stress_at(model, probe.element);
+  const Sym<D> sigma = stress_at(model, probe.element, probe.shares);
   for (int i = 0; i < D; ++i)
     for (int j = i; j < D; ++j) row.set(probe.name + ".s" + kAxes[i] + kAxes[j], sigma(i, j));
 }
 
 template <int D>
-void Sensor<D>::after(Model<D>& model, const Probe& probe, Row& row) const {
+void Sensor<D>::after(Model<D>& model, const Probe& probe, const Clock& clock, Row& row) const {
   const Store& s = model.store;
   if (probe.kind == Kind::reaction) {
     const Vec<D> force = sample<D>(s.get<NodeReaction<D>>(), probe.nodes, probe.weights);
@@ -203,9 +201,12 @@ void Sensor<D>::after(Model<D>& model, const Probe& probe, Row& row) const {
     return;
   }
   const Vec<D> v = sample<D>(s.get<NodeVelocity<D>>(), probe.nodes, probe.weights);
+  // v at t^n lies between the two half steps in the ratio of their lengths: at the start it is the
+  // velocity before the kick, at the end of the run the one after.
+  const double before_kick = clock.dt / (clock.dt_before + clock.dt);
   for (int d = 0; d < D; ++d) {
     const std::string column = probe.name + ".v" + kAxes[d];
-    row.set(column, 0.5 * (row.get(column) + v[d]));
+    row.set(column, before_kick * row.get(column) + (1 - before_kick) * v[d]);
   }
 }
 

@@ -32,7 +32,7 @@ class Sensor final : public Module<D> {
   void find_copies(const Model<D>& model);
   void place_at_corners(const Model<D>& model, Probe& probe) const;
   void before(Model<D>& model, const Probe& probe, Row& row) const;
-  void after(Model<D>& model, const Probe& probe, Row& row) const;
+  void after(Model<D>& model, const Probe& probe, const Clock& clock, Row& row) const;
 
   std::vector<Probe> probes_;
   std::int64_t splits_ = -1;  ///< of the model when the copies were looked up

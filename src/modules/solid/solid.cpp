@@ -88,6 +88,7 @@ void Solid<D>::forces(Model<D>& model, const Clock& clock) {
     in.wave_speed = std::sqrt(model.p_wave_modulus(block.material) / material.density);
     in.damping = material.damping;
     in.kick = clock.kick();
+    in.lag = 0.5 * clock.dt_before;
     in.thickness = model.thickness;
     in.smallest_jacobian = kSmallestJacobian;
     in.watch = {block.watch.per_tension, block.watch.per_cohesion, block.watch.friction};
