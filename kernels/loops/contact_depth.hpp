@@ -212,7 +212,8 @@ struct SmoothGradient {
       for (int a = 0; a <= D; ++a) known = known && mesh.level(mesh.nodes(e, a)) != kFarLevel;
       if (known) gradient_at_corner<D>(mesh, depth, e, corner % (D + 1), share);
     }
-    set_row<D>(gradient, n, share.weight > 0 ? share.sum * (1 / share.weight) : Vec<D>::zero());
+    const bool sharp = norm(share.sum) <= kSharp * share.weight;
+    set_row<D>(gradient, n, sharp ? Vec<D>::zero() : share.sum * (1 / share.weight));
   }
 };
 

@@ -54,12 +54,16 @@ struct ContactPotential {
     return r;
   }
 
-  /// Smooth gradient: that of the nodes, interpolated.
+  /// Smooth gradient: that of the nodes, interpolated. A sharp corner of the body has no smooth
+  /// gradient (all zero, see kSharp); the exact one of the element, `own`, stands in for it, so that
+  /// a flat side pushes along its normal up to its end.
   KOKKOS_FUNCTION
-  void smooth(const double (&l)[D + 1], double (&edge)[D]) const {
-    for (int j = 0; j < D; ++j) {
-      edge[j] = 0;
-      for (int k = 0; k <= D; ++k) edge[j] += l[k] * slope[k][j];
+  void smooth(const double (&l)[D + 1], const double (&own)[D], double (&edge)[D]) const {
+    for (int j = 0; j < D; ++j) edge[j] = 0;
+    for (int k = 0; k <= D; ++k) {
+      bool sharp = true;
+      for (int j = 0; j < D; ++j) sharp = sharp && slope[k][j] == 0;
+      for (int j = 0; j < D; ++j) edge[j] += l[k] * (sharp ? own[j] : slope[k][j]);
     }
   }
 
@@ -95,6 +99,11 @@ Vec<D> gradient_in_space(const Mat<D>& inverse_edges, const double (&product)[D]
   return g;
 }
 
+/// The mean of unit gradients is the shorter the more they differ: cos(a / 2) where two faces meet at
+/// an angle a. Shorter than this (a above 50 degrees) the node is a corner that nobody meant to be
+/// round, and is left unsmoothed.
+inline constexpr double kSharp = 0.9;
+
 /// Shorter than this, the smooth gradient says nothing (the middle of a thin strip, say).
 inline constexpr double kShortGradient = 0.2;
 
@@ -107,7 +116,7 @@ Vec<D> contact_normal(const ContactPotential<D>& potential, const double (&l)[D 
                       const Vec<D>& instead) {
   if (smooth) {
     double product[D];
-    potential.smooth(l, product);
+    potential.smooth(l, edge, product);
     const Vec<D> g = gradient_in_space<D>(inverse_edges, product);
     const double length = norm(g);
     if (length >= kShortGradient) return g * (-1 / length);
