@@ -107,13 +107,14 @@ def draw_sensor(axes, history, sensor):
     factor, unit = sensor.scale()
     axes.axhline(0, color=style.QUIET, linewidth=0.7)
     for k, (component, values) in enumerate(sensor.columns.items()):
-        axes.plot(time, values * factor, color=style.LINES[k % len(style.LINES)], label=component)
+        colour = style.LINES[k % len(style.LINES)]
+        axes.plot(time, values * factor, color=colour, label=component, zorder=3 - 0.01 * k)  # the first on top
     axes.set_title(sensor.title)
     axes.set_ylabel(unit)
     axes.set_xlabel(label)
     axes.margins(x=0)
     if len(sensor.columns) > 1:
-        axes.legend(ncol=len(sensor.columns), loc="best", handlelength=1.2, columnspacing=1)
+        axes.legend(ncol=min(len(sensor.columns), 3), loc="best", handlelength=1.2, columnspacing=1)
 
 
 def mark_peak(axes, history, sensor):
@@ -124,10 +125,12 @@ def mark_peak(axes, history, sensor):
     if not np.isfinite(values).any():
         return
     k = int(np.nanargmax(np.abs(values)))
-    left = time[k] > 0.5 * time[-1]
+    left, up = time[k] > 0.5 * time[-1], values[k] > 0
     axes.plot(time[k], values[k], "o", color=style.INK, markersize=5)
-    axes.annotate(style.minus(f"{values[k]:.4g} {unit}"), (time[k], values[k]), xytext=(-9 if left else 9, 0),
-                  textcoords="offset points", ha="right" if left else "left", va="center", size=10, weight="bold")
+    text = style.minus(f"{values[k]:.4g} {unit}")
+    axes.annotate(text, (time[k], values[k]), xytext=(-7 if left else 7, 7 if up else -7), textcoords="offset points",
+                  ha="right" if left else "left", va="bottom" if up else "top", size=10, weight="bold")
+    axes.margins(y=0.2)
 
 
 def draw_counts(axes, history):
@@ -155,7 +158,7 @@ def present_energies(history):
     return [entry for entry in found if np.nanmax(np.abs(entry[2])) > 1e-3 * largest]
 
 
-def draw_ledger(axes, history, legend=True):
+def draw_ledger(axes, history):
     """Energies stacked, the work done on the bodies as a line on top."""
     time, label = time_axis(history)
     energies = present_energies(history)
@@ -175,8 +178,9 @@ def draw_ledger(axes, history, legend=True):
     axes.margins(x=0)
     axes.set_ylim(bottom=min(0, axes.get_ylim()[0]))
     handles, names = axes.get_legend_handles_labels()
-    if legend and handles:  # top of the stack first, as the eye meets it
-        axes.legend(handles[::-1], names[::-1], loc="upper left", fontsize=9, labelspacing=0.3, handlelength=1.2)
+    if handles:  # top of the stack first, as the eye meets it
+        axes.legend(handles[::-1], names[::-1], loc="upper left", bbox_to_anchor=(1.0, 1.03), fontsize=9,
+                    labelspacing=0.35, handlelength=1.2)
 
 
 def draw_residuals(axes, history):

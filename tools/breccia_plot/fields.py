@@ -54,7 +54,7 @@ def has_stress(grid):
 
 def names(grid):
     """Everything --field can name."""
-    found = list(TENSORS) if has_stress(grid) else []
+    found = [name for name in TENSORS if name not in grid.arrays] if has_stress(grid) else []
     for array in grid.arrays.values():
         found.append(array.name)
         if array.values.ndim == 2:
@@ -63,7 +63,7 @@ def names(grid):
 
 
 def default(grid):
-    if has_stress(grid):
+    if has_stress(grid) or "von_mises" in grid.arrays:
         return "von_mises"
     for name in ("velocity", "displacement"):
         if name in grid.arrays:
@@ -76,14 +76,14 @@ def default(grid):
 def field(grid, name=None):
     """The field of this name, or the default one."""
     name = name or default(grid)
-    if name in TENSORS and has_stress(grid):
+    if name in TENSORS and name not in grid.arrays and has_stress(grid):
         return from_stress(name, grid.arrays["stress"])
     base, _, component = name.rpartition(".")
     if name in grid.arrays:
         array = grid.arrays[name]
         values = array.values.astype(float)
         if values.ndim == 1:
-            return Field(name.replace("_", " "), values, array.unit, array.on_points)
+            return Field(TITLES.get(name, name.replace("_", " ")), values, array.unit, array.on_points)
         if values.shape[1] == 6:
             return Field(f"{name}, norm", np.sqrt((values**2).sum(axis=1)), array.unit, array.on_points)
         return Field(name.replace("_", " "), np.linalg.norm(values, axis=1), array.unit, array.on_points)

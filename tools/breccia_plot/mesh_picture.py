@@ -156,12 +156,12 @@ def crack_legend(axes, drawn, dimension):
         for broken in (True, False):
             if (kind, broken) not in drawn:
                 continue
-            name = f"{kind} crack" if broken else f"{kind}, not yet broken"
+            name = f"{kind} crack" if broken else f"{kind}, still holding"
             width = (2.4 if broken else 1.1) if dimension == 2 else (6 if broken else 3)
             handles.append(Line2D([], [], color=colour, linewidth=width, label=name))
     if handles:
-        axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncol=3, handlelength=1.4,
-                    columnspacing=1.4)
+        axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncol=3, handlelength=1.3,
+                    columnspacing=1.2, fontsize=9.5)
 
 
 def scale_bar(axes, place):

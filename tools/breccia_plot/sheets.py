@@ -88,7 +88,7 @@ def check_line(run):
 def draw_summary(run, number, name, path):
     grid, cracks = run.frame(number), run.cracks(number)
     figure = plt.figure(figsize=(12.4, 6.2))
-    layout = figure.add_gridspec(2, 2, width_ratios=[1.25, 1], left=0.02, right=0.975, top=0.86, bottom=0.1,
+    layout = figure.add_gridspec(2, 2, width_ratios=[1.4, 1], left=0.02, right=0.865, top=0.86, bottom=0.1,
                                  hspace=0.52, wspace=0.16)
     picture = figure.add_subplot(layout[:, 0])
     mesh_picture.draw(picture, grid, cracks, name)

@@ -57,6 +57,8 @@ def prefixed(unit, largest):
     """Factor and unit that bring numbers up to `largest` into 1 ... 1000 ("Pa", 8e6: 1e-6, "MPa")."""
     if unit in ("", "1") or not np.isfinite(largest) or largest <= 0:
         return 1.0, "" if unit == "1" else unit
+    if unit not in ("m", "s") and 0.1 <= largest < 1:
+        return 1.0, unit  # 0.9 m/s rather than 900 mm/s
     for size, prefix in PREFIXES:
         if largest >= size:
             return 1 / size, prefix + unit
