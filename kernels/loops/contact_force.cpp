@@ -247,7 +247,8 @@ void set_contact_points(const ContactSurface<D>& surface, const ContactPairs<D>&
         const Index i = pairs.facet(a), m = element_material(surface.facet(i) / (D + 1));
         const double modulus = rule.material(m, 0), h = surface.height(i);
         const double per_area = rule.fixed > 0 ? rule.fixed : rule.factor * modulus / h;
-        const double dashpot = 2 * rule.damping * Kokkos::sqrt(per_area * rule.material(m, 2) * h);
+        const double mass = 0.5 * rule.material(m, 1) * h;  // per area
+        const double dashpot = 2 * rule.damping * Kokkos::sqrt(per_area * mass);
         const double share = 0.5 * surface.area(i) / kFacePoints<D>;
         to.constants(a, 0) = share * per_area;
         to.constants(a, 1) = share * dashpot;
