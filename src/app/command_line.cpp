@@ -74,6 +74,10 @@ int check(const Arguments& a) {
 }
 
 int mesh(const Arguments& a) {
+  if (a.mesh_file.extension() != ".h5") {
+    throw Error(a.mesh_file.string(), "a mesh is written in Breccia's own format, named .h5",
+                "for example: breccia mesh " + a.scene.string() + " -o mesh.h5");
+  }
   return with_kokkos(a, [&a] { return mesh_scene({a.scene, a.options, a.mesh_file}); });
 }
 
@@ -112,7 +116,7 @@ void declare_verbs(CLI::App& app, Arguments& a, std::function<int(const Argument
 
   CLI::App* mesh_verb = app.add_subcommand("mesh", "write the mesh of a scene");
   add_common(*mesh_verb, a);
-  mesh_verb->add_option("-o,--output", a.mesh_file, "file to write: .h5 or .msh")
+  mesh_verb->add_option("-o,--output", a.mesh_file, "file to write, named .h5")
       ->required()
       ->type_name("FILE");
   mesh_verb->callback([&chosen] { chosen = mesh; });

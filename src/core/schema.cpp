@@ -3,6 +3,7 @@
 #include "core/text.hpp"
 
 #include <cctype>
+#include <cmath>
 #include <stdexcept>
 
 namespace breccia {
@@ -38,7 +39,10 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
 }
 
 std::string limit_text(double value, Dimension dimension) {
-  if (dimension == unit::angle) return number_text(value * 180 / 3.14159265358979323846) + " deg";
+  if (dimension == unit::angle) {
+    const double degrees = value * 180 / 3.14159265358979323846;
+    return number_text(std::round(1e4 * degrees) / 1e4) + " deg";
+  }
   const std::string si = si_unit(dimension);
   return number_text(value) + (si == "1" ? "" : " " + si);
 }
@@ -124,9 +128,8 @@ std::string Key::unit_text() const {
 
 std::string Key::example_text() const {
   if (example.empty()) return default_value ? name + " = " + as_written(*default_value) : "";
-  const bool word = type == KeyType::number || type == KeyType::text || type == KeyType::choice ||
-                    type == KeyType::formula;
-  if (!word || example.front() == '"') return name + " = " + example;
+  const bool list = std::string_view("[{\"").find(example.front()) != std::string_view::npos;
+  if (list || type == KeyType::flag) return name + " = " + example;
   const bool plain = example.find_first_not_of("0123456789.e+-") == std::string::npos;
   return name + " = " + (plain ? example : "\"" + example + "\"");
 }

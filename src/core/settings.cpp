@@ -144,7 +144,10 @@ const Settings* Settings::find(std::string_view word, std::string_view name) con
 
 std::string Settings::place(std::string_view key) const {
   const Value* v = key.empty() ? nullptr : value(key);
-  return v != nullptr && v->origin != Origin::fallback ? v->place.text() : place_.text();
+  if (v != nullptr && v->origin != Origin::fallback) return v->place.text();
+  const Group* inner = key.empty() ? nullptr : find_group(key);
+  const bool written = inner != nullptr && inner->kind == Kind::single && given(key);
+  return written ? inner->members.front().place() : place_.text();
 }
 
 Error Settings::error(std::string_view key, const std::string& cause,

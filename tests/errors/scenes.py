@@ -85,4 +85,17 @@ density = "7850 kg/m3"
 elastic = { young = "210 GPa", poisson = 0.3 }
 """
 
-ALL = {"PLANE": PLANE, "SPACE": SPACE}
+EFFECTS = PLANE + """
+[fracture.granite]
+tensile_strength = "8 MPa"
+cohesion         = "24 MPa"
+friction_angle   = "50 deg"
+energy_tension   = "50 J/m2"
+energy_shear     = "500 J/m2"
+alpha            = 0.95
+
+[contact]
+friction = 0.3
+"""
+
+ALL = {"PLANE": PLANE, "SPACE": SPACE, "EFFECTS": EFFECTS}

@@ -111,6 +111,8 @@ TEST(CoreSettings, ErrorsAboutAKeyHaveItsPlace) {
                "folder/s.toml:3: run.duration: is short");
   EXPECT_EQ(s.at("run").place("seed"), "--set");
   EXPECT_EQ(s.list("body")[0].place(), "folder/s.toml:4");
+  EXPECT_EQ(s.list("body")[0].place("mesh"), "folder/s.toml:10");
+  EXPECT_EQ(s.list("body")[1].place("mesh"), s.list("body")[1].place());
   const Error e = s.at("material.granite").error("elastic.young", "is soft", "rock is stiff");
   EXPECT_STREQ(e.what(),
                "folder/s.toml:14: material.granite.elastic.young: is soft\n  rock is stiff");

@@ -63,7 +63,11 @@ void declare_contact_keys(Schema& schema) {
       .names_one_of("material")
       .example("[\"steel\", \"granite\"]")
       .doc("The two materials.");
-  pair.number("friction", unit::none).at_least(0).required().doc("Friction coefficient.");
+  pair.number("friction", unit::none)
+      .at_least(0)
+      .required()
+      .example("0.6")
+      .doc("Friction coefficient.");
   schema.check(check_contact_rules);
 }
 
