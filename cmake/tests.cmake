@@ -20,9 +20,10 @@ if(NOT BRECCIA_PYTHON)
   find_program(BRECCIA_PYTHON NAMES python3 REQUIRED)
 endif()
 
-# Open MPI refuses to start as root (a container, for example) unless it is told twice that this is meant.
-set(BRECCIA_TEST_ENVIRONMENT OMP_PROC_BIND=false OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-                             OMPI_MCA_rmaps_base_oversubscribe=1)
+# Threads that wait must not spin: tests share the machine. Open MPI refuses to start as root (a container, for example)
+# unless it is told twice that this is meant.
+set(BRECCIA_TEST_ENVIRONMENT OMP_PROC_BIND=false OMP_WAIT_POLICY=passive OMPI_ALLOW_RUN_AS_ROOT=1
+                             OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1)
 
 if(BRECCIA_ENABLE_TESTS)
   include(GoogleTest)

@@ -148,7 +148,9 @@ void declare_sensors(Schema& schema) {
   s.vector("point", unit::length)
       .doc("Displacement, velocity and stress at a material point.")
       .example("[0, \"25 mm\"]");
-  s.text("surface").doc("Mean displacement and velocity of a region or body.").example("disc.rim");
+  s.text("surface")
+      .doc("Mean displacement and velocity of a side (by area) or body (by volume).")
+      .example("disc.rim");
   s.text("reaction")
       .doc("Force that a boundary (by its name or `where`) or body exerts on the scene.")
       .example("upper platen");

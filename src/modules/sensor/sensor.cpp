@@ -2,6 +2,7 @@
 
 #include "base/mat.hpp"
 #include "loops/sampling.hpp"
+#include "mesh/geometry.hpp"
 #include "step/selection.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace breccia {
 
@@ -91,12 +93,31 @@ auto Sensor<D>::point(const Model<D>& model, const Settings& section) const -> P
   return probe;
 }
 
+/// Share of each point of a region in its mean: by volume in a body, by area on a surface.
+template <int D>
+std::vector<double> shares_of(const Region& region, const Mesh<D>& mesh) {
+  std::map<Index, double> share;
+  for (const Index n : region.points) share[n] = 0;
+  for (const Index e : region.elements)
+    for (const Index n : mesh.element[e]) share[n] += signed_volume<D>(corners(mesh, e));
+  if (region.elements.empty())
+    for (const ElementFace& f : region.faces)
+      for (int j = 0; j < D; ++j)
+        share[mesh.element[f.element][face_node<D>(f.face, j)]] +=
+            length(face_normal_area<D>(corners(mesh, f.element), f.face));
+  double total = 0;
+  for (const auto& [n, s] : share) total += s;
+  std::vector<double> shares;
+  for (const auto& [n, s] : share)
+    shares.push_back(total > 0 ? s / total : 1.0 / static_cast<double>(share.size()));
+  return shares;
+}
+
 template <int D>
 auto Sensor<D>::surface(const Model<D>& model, const Settings& section) const -> Probe {
   const Region& region = named_region(section, "surface", section.text("surface"), model.mesh);
-  Probe probe{section.name(), Kind::surface, kNone, region.points, {}, {}, {}};
-  probe.shares.assign(region.points.size(), 1.0 / static_cast<double>(region.points.size()));
-  return probe;
+  return {
+      section.name(), Kind::surface, kNone, region.points, shares_of(region, model.mesh), {}, {}};
 }
 
 template <int D>
@@ -142,6 +163,8 @@ void Sensor<D>::find_copies(const Model<D>& model) {
   splits_ = model.splits;
   const auto family = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
                                                           model.store.template get<NodeFamily>());
+  const auto mass = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
+                                                        model.store.template get<NodeMass>());
   std::vector<std::vector<Index>> copies(model.mesh.point.size());
   for (Index n = 0; n < model.nodes(); ++n) copies[family(n)].push_back(n);
   for (Probe& probe : probes_) {
@@ -151,13 +174,15 @@ void Sensor<D>::find_copies(const Model<D>& model) {
     }
     std::vector<Index> list;
     std::vector<double> weights;
-    for (std::size_t i = 0; i < probe.families.size(); ++i)
+    for (std::size_t i = 0; i < probe.families.size(); ++i) {
+      // A point that has split hands its share on to its copies, by their masses.
+      double whole = 0;
+      for (const Index n : copies[probe.families[i]]) whole += mass(n);
       for (const Index n : copies[probe.families[i]]) {
         list.push_back(n);
-        // The mean of a surface counts a point once however often it has split.
-        const auto number = static_cast<double>(copies[probe.families[i]].size());
-        weights.push_back(probe.kind == Kind::reaction ? 1.0 : probe.shares[i] / number);
+        weights.push_back(probe.kind == Kind::reaction ? 1.0 : probe.shares[i] * mass(n) / whole);
       }
+    }
     probe.nodes = to_device("breccia::sensor::nodes", list);
     probe.weights = to_device("breccia::sensor::weights", weights);
   }
