@@ -13,6 +13,8 @@ struct BalanceLoop {
   StarBalanceIn<D> in;
   StarBalanceOut<D> out;
 
+  static constexpr double kFlat = 1e-12;
+
   /// Places [first, last) of one old node, in a star whose first place is `place` and whose first
   /// corner is `begin` in the corner list.
   struct Group {
@@ -115,15 +117,25 @@ struct BalanceLoop {
     return sum;
   }
 
-  /// residual = direction = wanted - L potential
+  /// residual = direction = wanted - L potential, its mean taken off: the sum over the components
+  /// is zero but for round-off, which no potential could balance.
   KOKKOS_FUNCTION
-  void start_round(const Group& g) const {
+  void start_round(const Group& g, Index components) const {
     const StarWork<D>& w = in.work;
     apply(g, w.potential, w.image);
+    Vec<D> mean = Vec<D>::zero();
     for (Index i = g.first; i < g.last; ++i)
-      for (int d = 0; d < D; ++d)
-        w.residual(g.place + i, d) = w.direction(g.place + i, d) =
-            root(g, i) == i ? w.wanted(g.place + i, d) - w.image(g.place + i, d) : 0;
+      for (int d = 0; d < D; ++d) {
+        w.residual(g.place + i, d) = 0;
+        if (root(g, i) != i) continue;
+        w.residual(g.place + i, d) = w.wanted(g.place + i, d) - w.image(g.place + i, d);
+        mean[d] += w.residual(g.place + i, d) / components;
+      }
+    for (Index i = g.first; i < g.last; ++i)
+      for (int d = 0; d < D; ++d) {
+        if (root(g, i) == i) w.residual(g.place + i, d) -= mean[d];
+        w.direction(g.place + i, d) = w.residual(g.place + i, d);
+      }
   }
 
   /// Conjugate gradients, each component of motion for itself, started anew from the true residual
@@ -132,10 +144,9 @@ struct BalanceLoop {
   void solve(const Group& g, Index components) const {
     constexpr int kRounds = 3;
     constexpr double kEnough = 1e-33;  // of the square
-    start_round(g);
     const Vec<D> enough = product(g, in.work.wanted, in.work.wanted) * kEnough;
     for (int round = 0; round < kRounds; ++round) {
-      if (round > 0) start_round(g);
+      start_round(g, components);
       Vec<D> left = product(g, in.work.residual, in.work.residual);
       for (Index k = 0; k < components + 2; ++k) {
         bool done = true;
@@ -147,13 +158,25 @@ struct BalanceLoop {
   }
 
   KOKKOS_FUNCTION
+  double heaviest(const Group& g) const {
+    double most = 0;
+    for (Index i = g.first; i < g.last; ++i)
+      for (int m = 0; m < D; ++m) most = Kokkos::max(most, in.work.weight(g.place + i, m));
+    return most;
+  }
+
+  KOKKOS_FUNCTION
   Vec<D> descend(const Group& g, const Vec<D>& left, const Vec<D>& enough) const {
     const StarWork<D>& w = in.work;
     apply(g, w.direction, w.image);
     const Vec<D> curvature = product(g, w.direction, w.image);
+    const Vec<D> length = product(g, w.direction, w.direction);
     Vec<D> step, turn;
-    for (int d = 0; d < D; ++d)
-      step[d] = left[d] > enough[d] && curvature[d] > 0 ? left[d] / curvature[d] : 0;
+    for (int d = 0; d < D; ++d) {
+      // A direction without curvature is one that moves all components together: round-off.
+      const bool bends = curvature[d] > kFlat * heaviest(g) * length[d];
+      step[d] = left[d] > enough[d] && bends ? left[d] / curvature[d] : 0;
+    }
     for (Index i = g.first; i < g.last; ++i)
       for (int d = 0; d < D; ++d) {
         if (root(g, i) != i) continue;
