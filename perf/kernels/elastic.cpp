@@ -1,4 +1,4 @@
-// The elastic step: element loop, node loop, both together, with and without damping.
+// The elastic step: plain, with damping, and with fracture that may happen and does not.
 #include "harness/machine.hpp"
 #include "harness/scenes.hpp"
 
@@ -40,11 +40,16 @@ void verify(benchmark::State& state, RunningScene<D>& scene) {
   if (!(start > 0) || !(drift < 1e-3)) state.SkipWithError("the energy is not conserved");
 }
 
+/// Sections that a variant adds: none; damping; fracture that may happen and does not.
+const std::string extras[] = {
+    "", "damping = 0.02\n",
+    "[fracture.rock]\ntensile_strength = 8e6\ncohesion = 24e6\nfriction_angle = 0.7\n"
+    "energy_tension = 4000\nenergy_shear = 40000\n"};
+
 template <int D>
 void elastic_step(benchmark::State& state) {
   const auto elements = static_cast<double>(state.range(0));
-  const std::string damping = state.range(1) ? "damping = 0.02\n" : "";
-  RunningScene<D> scene(shaking_block<D>(elements, damping));
+  RunningScene<D> scene(shaking_block<D>(elements, extras[state.range(1)]));
   verify(state, scene);
   for (auto _ : state) scene.simulation->step(1.0, {});
   Kokkos::fence("breccia::perf::elastic");
@@ -59,12 +64,13 @@ void elastic_step(benchmark::State& state) {
 }
 
 void sizes(benchmark::internal::Benchmark* b) {
-  b->ArgNames({"elements", "damped"})->Unit(benchmark::kMillisecond)->UseRealTime();
+  b->ArgNames({"elements", "variant"})->Unit(benchmark::kMillisecond)->UseRealTime();
   if (smoke()) {
-    b->Args({2000, 0})->Args({2000, 1});
+    for (const int variant : {0, 1, 2}) b->Args({2000, variant});
     return;
   }
-  for (const int n : {10000, 100000, 1000000}) b->Args({n, 0});
+  for (const int variant : {0, 2})
+    for (const int n : {10000, 100000, 1000000}) b->Args({n, variant});
   b->Args({100000, 1});
 }
 

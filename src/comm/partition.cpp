@@ -13,7 +13,8 @@ namespace breccia {
 namespace {
 
 #if BRECCIA_WITH_METIS
-/// Dual graph in METIS's form: neighbours of element e are next[start[e]] ... next[start[e + 1] - 1].
+/// Dual graph in METIS's form: neighbours of element e are next[start[e]] to
+/// next[start[e + 1] - 1].
 template <int D>
 void dual_graph(const Mesh<D>& mesh, const Topology<D>& topology, std::vector<idx_t>& start,
                 std::vector<idx_t>& next) {

@@ -21,8 +21,8 @@ struct StepRecord {
 template <int D>
 class Simulation {
  public:
-  /// Meshes the bodies (files are looked for in `folder`), allocates the fields of the modules that the scene calls for.
-  /// Throws Error where the scene cannot be built.
+  /// Meshes the bodies (files are looked for in `folder`), allocates the fields of the modules
+  /// that the scene calls for. Throws Error where the scene cannot be built.
   Simulation(const Settings& scene, const std::filesystem::path& folder);
 
   /// Fills the state at t = 0 and chooses the first step. Throws Error when a step that the

@@ -248,6 +248,35 @@ void Motion<D>::book_after(const Model<D>& model, const Clock& clock, Ledger& le
 }
 
 template <int D>
+void Motion<D>::observe(Model<D>& model, const Clock&, Moment moment, Row& row) {
+  if (moment == Moment::after) return;
+  const auto x = model.store.template get<NodePosition<D>>();
+  const auto v = model.store.template get<NodeVelocity<D>>();
+  const auto mass = model.store.template get<NodeMass>();
+  // With v^(n-1/2) at x^n both momenta are kept to round-off by forces that come in pairs.
+  const ChunkSums<7> rows("breccia::motion::momentum", chunks_of(model.nodes()));
+  for_each_summed<7>(
+      "breccia::motion::momentum", model.nodes(), rows, KOKKOS_LAMBDA(Index n, Sums<7> & sum) {
+        Vec<3> at = Vec<3>::zero(), p = Vec<3>::zero();
+        for (int d = 0; d < D; ++d) {
+          at[d] = x(n, d);
+          p[d] = mass(n) * v(n, d);
+        }
+        const Vec<3> l = cross(at, p);
+        sum[0] += mass(n);
+        for (int d = 0; d < 3; ++d) {
+          sum[1 + d] += p[d];
+          sum[4 + d] += l[d];
+        }
+      });
+  const Sums<7> total = total_of(rows);
+  row.set("mass", total[0]);
+  for (int d = 0; d < D; ++d) row.set(std::string("momentum.") + "xyz"[d], total[1 + d]);
+  for (int d = D == 2 ? 2 : 0; d < 3; ++d)
+    row.set(std::string("angular_momentum.") + "xyz"[d], total[4 + d]);
+}
+
+template <int D>
 void Motion<D>::archive(Archive& archive) {
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, work_);
   std::vector<double> rows(host.data(), host.data() + host.size());

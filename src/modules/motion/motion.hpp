@@ -16,6 +16,7 @@ class Motion final : public Module<D> {
   void bind(Model<D>& model) override;
   void resume(Model<D>& model) override;
   void enlist(Model<D>& model, Plan& plan) override;
+  void observe(Model<D>& model, const Clock& clock, Moment moment, Row& row) override;
   void archive(Archive& archive) override;
 
   /// Velocities of the scene at t = 0: (node, D).
