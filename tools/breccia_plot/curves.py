@@ -36,7 +36,10 @@ ENERGIES = {
 }
 WORK = "W_ext"
 RESIDUALS = {"RES_1": ("bookkeeping (level 1)", 1e-10), "RES_2": ("consistency (level 2)", 1e-2)}
-COUNTS = ("bonded", "inserted", "released", "fragments", "contact_points", "contacts", "nodes")
+COUNTS = ("bonded", "inserted", "released", "fragments", "contact_points", "contacts",
+          "contacts_lost", "nodes", "crack_area", "crack_energy", "mass")
+# Kept or lost by the whole scene; columns such as momentum.x.
+TOTALS = ("momentum.", "angular_momentum.")
 NO_SENSOR = {"time", "step", "dt", WORK, *ENERGIES, *COUNTS}
 
 
@@ -50,7 +53,7 @@ def column(history, name):
 
 def is_ledger(name):
     known = {k.lower() for k in NO_SENSOR} | {k.lower() for k in RESIDUALS}
-    return name.lower() in known or name.lower().startswith("w_")
+    return name.lower() in known or name.lower().startswith(("w_", *TOTALS))
 
 
 def sensors(history):

@@ -18,11 +18,22 @@ def crack_kinds(mode):
     return np.where(mode < 4 / 3, "tension", np.where(mode > 5 / 3, "shear", "mixed"))
 
 
-def border(cells):
-    """Edges that belong to one triangle."""
-    edges = np.sort(np.concatenate([cells[:, [0, 1]], cells[:, [1, 2]], cells[:, [2, 0]]]), axis=1)
-    unique, count = np.unique(edges, axis=0, return_counts=True)
-    return unique[count == 1]
+def border(cells, family):
+    """Edges that belong to one triangle; copies of a split point count as one (cracks are drawn apart)."""
+    edges = np.concatenate([cells[:, [0, 1]], cells[:, [1, 2]], cells[:, [2, 0]]])
+    _, first, count = np.unique(np.sort(family[edges], axis=1), axis=0, return_index=True, return_counts=True)
+    return edges[first[count == 1]]
+
+
+def families(grid):
+    """A number per point that the copies of a split node share: they began at one place."""
+    moved = grid.arrays.get("displacement")
+    if moved is None:
+        return np.arange(len(grid.points))
+    start = grid.points - moved.values.reshape(len(grid.points), -1)[:, :3]
+    size = max(np.ptp(start, axis=0).max(), 1e-300)
+    _, number = np.unique(np.round(start / size * 1e9), axis=0, return_inverse=True)
+    return number.reshape(-1)
 
 
 def surface(points, cells):
@@ -89,7 +100,8 @@ def draw_plane(axes, grid, field, colours):
     xy = grid.points[:, :2]
     values = on_faces(field, grid.cells, np.arange(len(grid.cells)))
     draw_faces(axes, xy[grid.cells], colours(values), len(grid.cells) <= FULL_MESH)
-    axes.add_collection(LineCollection(xy[border(grid.cells)], colors=style.INK, linewidths=0.5, alpha=0.7, zorder=2))
+    outline = xy[border(grid.cells, families(grid))]
+    axes.add_collection(LineCollection(outline, colors=style.INK, linewidths=0.5, alpha=0.7, zorder=2))
     return xy
 
 
@@ -121,16 +133,21 @@ def draw_axes_cross(axes, look):
         axes.annotate(name, xytext=tip * 1.35, color=style.QUIET, ha="center", va="center", size=9, **start)
 
 
+# Interfaces below this damage are as strong as before; showing them would hide the cracks.
+VISIBLE_DAMAGE = 0.1
+
+
 def draw_cracks(axes, cracks, dimension):
-    """Released faces in full, inserted ones thin; coloured by mode. Returns the kinds drawn."""
+    """Released faces in full, softening ones thin; coloured by mode. Returns the kinds drawn."""
     place = cracks.points if dimension == 2 else cracks.points @ camera().T
     shapes = place[cracks.cells][:, :, :2]
     kinds = crack_kinds(cracks.arrays["mode"].values)
     released = cracks.arrays["status"].values == 2
+    visible = released | (cracks.arrays["damage"].values >= VISIBLE_DAMAGE)
     drawn = []
     for kind, colour in style.CRACK.items():
         for broken in (False, True):
-            chosen = shapes[(kinds == kind) & (released == broken)]
+            chosen = shapes[(kinds == kind) & (released == broken) & visible]
             if not len(chosen):
                 continue
             drawn.append((kind, broken))
@@ -156,7 +173,7 @@ def crack_legend(axes, drawn, dimension):
         for broken in (True, False):
             if (kind, broken) not in drawn:
                 continue
-            name = f"{kind} crack" if broken else f"{kind}, still holding"
+            name = f"{kind} crack" if broken else f"{kind}, softening"
             width = (2.4 if broken else 1.1) if dimension == 2 else (6 if broken else 3)
             handles.append(Line2D([], [], color=colour, linewidth=width, label=name))
     if handles:
