@@ -16,10 +16,15 @@ struct SurfaceMesh {
   ConstRanges corners;
   Kokkos::View<const Index*, Memory> corner_list;
   Kokkos::View<const std::uint8_t*, Memory> surface;
-  Array<std::uint8_t> level;
+  Array<std::uint8_t> level, edge;
 
+  /// On the surface, or inserted and open along its whole length.
   KOKKOS_FUNCTION
-  bool on_surface(Index e, int f) const { return surface(e * (D + 1) + f) != 0; }
+  bool on_surface(Index e, int f) const {
+    constexpr int kOpen = ((1 << D) - 1) * surface_mark::first_node;
+    const int mark = surface(e * (D + 1) + f);
+    return (mark & surface_mark::facet) != 0 || (mark & kOpen) == kOpen;
+  }
 
   KOKKOS_FUNCTION
   double square_distance(const Vec<D>& q, Index facet) const {
@@ -83,30 +88,34 @@ struct NearestFacet {
   void operator()(Index i) const {
     const Index n = ring(i);
     const std::uint8_t level = mesh.level(n);
-    if (level == 0) {
+    if (mesh.edge(n) != 0) {
       depth(n) = 0;
       to(n) = kNone;
       return;
     }
     const Vec<D> q = row<D>(mesh.reference, n);
     typename SurfaceMesh<D>::Nearest best;
+    double bound = -1;
     if (!lower) mesh.offer(q, from(n), best);
     for (Index k = mesh.corners(n, 0); k < mesh.corners(n, 1); ++k) {
       const Index e = mesh.corner_list(k) / (D + 1);
       for (int a = 0; a <= D; ++a) {
         const Index m = mesh.nodes(e, a);
         const std::uint8_t other = mesh.level(m);
-        if (m == n || other == kFarLevel || (lower && other >= level)) continue;
-        if (other == 0) {
+        if (m == n || other == kFarLevel) continue;
+        if (mesh.edge(m) != 0) {
+          const double d2 = norm2(row<D>(mesh.reference, m) - q);
+          bound = bound < 0 || d2 < bound ? d2 : bound;
           mesh.offer_star(q, m, best);
-        } else {
+        } else if (!lower || other < level) {
           mesh.offer(q, from(m), best);
         }
       }
     }
     mesh.walk(q, best);
     to(n) = best.facet;
-    depth(n) = Kokkos::sqrt(best.d2);
+    const bool node_is_nearer = best.facet == kNone || (bound >= 0 && bound < best.d2);
+    depth(n) = Kokkos::sqrt(node_is_nearer ? bound : best.d2);
   }
 };
 
@@ -128,8 +137,8 @@ void bubbles(const SurfaceMesh<D>& mesh, Index e, double (&bubble)[D + 1]) {
       bubble[f] = -determinant(g) / length;
       continue;
     }
-    if (mesh.on_surface(e, f) || mesh.level(mesh.nodes(e, i)) != 0 ||
-        mesh.level(mesh.nodes(e, j)) != 0)
+    if (mesh.on_surface(e, f) || mesh.edge(mesh.nodes(e, i)) == 0 ||
+        mesh.edge(mesh.nodes(e, j)) == 0)
       continue;
     const Vec<D> middle = (x[i] + x[j]) * 0.5;
     typename SurfaceMesh<D>::Nearest best;

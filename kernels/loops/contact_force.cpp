@@ -119,6 +119,19 @@ struct ContactForceLoop {
         for (int b = 0; b <= D; ++b)
           if (in.element_nodes(point.element[s], a) == node[b]) return s;
     }
+    if (in.family.extent(0) > 0) return related(point, node);
+    return kNone;
+  }
+
+  /// Across a crack: an element that shared a node once.
+  KOKKOS_FUNCTION
+  int related(const Point& point, const Index (&node)[D + 1]) const {
+    for (int s = 0; s < kContactSlots; ++s) {
+      if (point.element[s] == kNone) continue;
+      for (int a = 0; a <= D; ++a)
+        for (int b = 0; b <= D; ++b)
+          if (in.family(in.element_nodes(point.element[s], a)) == in.family(node[b])) return s;
+    }
     return kNone;
   }
 
@@ -157,7 +170,10 @@ struct ContactForceLoop {
     for (int k = 0; k <= D; ++k) motion.velocity -= row<D>(in.v, node[k]) * l[k];
     motion.dt = in.dt_before;
     motion.keep = in.keep;
-    motion.jumped = in.jumped && slot != kNone;
+    // A new contact deeper than the last step can have brought it was there before it was seen.
+    const bool unseen = slot == kNone && motion.phi > 2 * norm(motion.velocity) * motion.dt;
+    motion.jumped =
+        (in.jumped && slot != kNone && !(point.old[slot].phi < 0)) || (unseen && motion.dt > 0);
     const ContactParameters law = parameters(a, element);
     const ContactState<D> old =
         slot == kNone ? ContactState<D>() : before(law, point.old[slot], motion);

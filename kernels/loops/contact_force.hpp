@@ -33,6 +33,7 @@ struct ContactForceIn {
   ConstVectors<D> x, v;
   ConstConnectivity<D> element_nodes;
   Kokkos::View<const Index*, Memory> element_material;
+  Kokkos::View<const Index*, Memory> family;  ///< of nodes; empty where nothing can break
   ContactTable table;
   Index materials = 0;
   double dt_before = 0;  ///< s, of the step that led here

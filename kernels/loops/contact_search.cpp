@@ -191,6 +191,12 @@ void search_contacts(const ContactSurface<D>& surface, double skin,
   if (surface.targets > 0) fill_contact_bins(surface, skin, scratch.bins);
   const Candidates<D> find{surface, scratch.bins, skin};
   list_pairs(find, surface.facets * kFacePoints<D>, scratch.count, pairs);
+  finish_contact_pairs(surface, scratch, pairs);
+}
+
+template <int D>
+void finish_contact_pairs(const ContactSurface<D>& surface, ContactSearchScratch<D>& scratch,
+                          ContactPairs<D>& pairs) {
   list_elements(surface, scratch.count, pairs);
   make_room(pairs.hit, pairs.pairs);
   make_room(pairs.pair_force, pairs.pairs);
@@ -205,5 +211,8 @@ template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>
 template double smallest_contact_size<2>(const ContactSurface<2>&);
 template void search_contacts<2>(const ContactSurface<2>&, double, ContactSearchScratch<2>&,
                                  ContactPairs<2>&);
+
+template void finish_contact_pairs<2>(const ContactSurface<2>&, ContactSearchScratch<2>&,
+                                      ContactPairs<2>&);
 
 }  // namespace breccia

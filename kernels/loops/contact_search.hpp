@@ -46,11 +46,19 @@ template <int D>
 void search_contacts(const ContactSurface<D>& surface, double skin,
                      ContactSearchScratch<D>& scratch, ContactPairs<D>& pairs);
 
+/// The lists per element, from those per point; part of a search, and all of it after a restart.
+template <int D>
+void finish_contact_pairs(const ContactSurface<D>& surface, ContactSearchScratch<D>& scratch,
+                          ContactPairs<D>& pairs);
+
 extern template void take_contact_places<2>(const ConstVectors<2>&, const ContactSurface<2>&);
 extern template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>&,
                                           const ContactSurface<2>&);
 extern template double smallest_contact_size<2>(const ContactSurface<2>&);
 extern template void search_contacts<2>(const ContactSurface<2>&, double, ContactSearchScratch<2>&,
                                         ContactPairs<2>&);
+
+extern template void finish_contact_pairs<2>(const ContactSurface<2>&, ContactSearchScratch<2>&,
+                                             ContactPairs<2>&);
 
 }  // namespace breccia

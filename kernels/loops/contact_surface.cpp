@@ -23,27 +23,39 @@ struct MarkFacet {
   }
 
   KOKKOS_FUNCTION
-  void mark(Index e, int f, double h) const {
-    surface(e * (D + 1) + f) = 1;
+  void facet(Index e, int f, double h) const {
+    surface(e * (D + 1) + f) = surface_mark::facet;
     height(e * (D + 1) + f) = h;
   }
 
-  struct Free {};
   KOKKOS_FUNCTION
   void free(Index i) const {
-    const Index facet = in.free_facet(i);
-    mark(facet / (D + 1), facet % (D + 1), ratio(facet / (D + 1), facet % (D + 1)));
+    const Index number = in.free_facet(i), e = number / (D + 1);
+    facet(e, number % (D + 1), ratio(e, number % (D + 1)));
   }
 
   KOKKOS_FUNCTION
   void shared(Index face) const {
-    if (in.face_status(face) != in.released) return;
-    const std::uint8_t code = in.face_code(face);
+    const std::uint8_t status = in.face_status(face), code = in.face_code(face);
+    if (status != in.released && status != in.inserted) return;
     const Index left = in.face_elements(face, 0), right = in.face_elements(face, 1);
     const int i = code & 3, j = (code >> 2) & 3;
-    const double h = 0.5 * (ratio(left, i) + ratio(right, j));
-    mark(left, i, h);
-    mark(right, j, h);
+    if (status == in.released) {
+      const double h = 0.5 * (ratio(left, i) + ratio(right, j));
+      facet(left, i, h);
+      facet(right, j, h);
+      return;
+    }
+    std::uint8_t of_left = 0, of_right = 0;
+    for (int k = 0; k < D; ++k) {
+      const int m = opposite_face_node<D>(code >> 4, k);
+      if (in.element_nodes(left, face_node<D>(i, k)) == in.element_nodes(right, face_node<D>(j, m)))
+        continue;
+      of_left |= surface_mark::first_node << k;
+      of_right |= surface_mark::first_node << m;
+    }
+    surface(left * (D + 1) + i) = of_left;
+    surface(right * (D + 1) + j) = of_right;
   }
 };
 
@@ -62,10 +74,21 @@ void find_facets(const ContactSurfaceIn<D>& in, ContactScratch<D>& scratch,
   if (in.face_status.extent(0) > 0)
     for_each(
         "breccia::contact::released_faces", in.faces, KOKKOS_LAMBDA(Index i) { mark.shared(i); });
-  const Array<std::uint8_t> marked = scratch.surface;
+  make_room(scratch.edge, in.nodes);
+  Kokkos::deep_copy(Exec(), scratch.edge, std::uint8_t(0));
+  const Array<std::uint8_t> marked = scratch.surface, edge = scratch.edge;
+  for_each(
+      "breccia::contact::edges", sides, KOKKOS_LAMBDA(Index i) {
+        for (int k = 0; k < D; ++k) {
+          const int here = surface_mark::facet | (surface_mark::first_node << k);
+          if ((marked(i) & here) == 0) continue;
+          const Index n = in.element_nodes(i / (D + 1), face_node<D>(i % (D + 1), k));
+          Kokkos::atomic_store(&edge(n), std::uint8_t(1));
+        }
+      });
   surface.facets = list_where(
-      "breccia::contact::facets", sides, KOKKOS_LAMBDA(Index i) { return marked(i) != 0; },
-      surface.facet);
+      "breccia::contact::facets", sides,
+      KOKKOS_LAMBDA(Index i) { return (marked(i) & surface_mark::facet) != 0; }, surface.facet);
 }
 
 /// Nodes by their distance to the surface in edges, up to layers + 1; returns how many lie on the last level.
@@ -224,8 +247,8 @@ bool update_contact_surface(const ContactSurfaceIn<D>& in, ContactScratch<D>& sc
   Index ring_nodes = 0;
   const Index deepest = find_ring(in, scratch, surface, ring_nodes);
   find_targets(in, scratch, surface, ring_nodes);
-  const SurfaceMesh<D> mesh{in.element_nodes, in.reference,    in.corners,
-                            in.corner_list,   scratch.surface, scratch.level};
+  const SurfaceMesh<D> mesh{in.element_nodes, in.reference,  in.corners,  in.corner_list,
+                            scratch.surface,  scratch.level, scratch.edge};
   find_depth(mesh, in, scratch, ring_nodes);
   for_each("breccia::contact::fill_targets", surface.targets,
            FillTarget<D>{mesh, surface, scratch.depth, scratch.gradient, in.layers});

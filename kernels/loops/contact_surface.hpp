@@ -15,17 +15,25 @@ struct ContactSurfaceIn {
   Kokkos::View<const std::uint8_t*, Memory> face_status;  ///< empty where nothing can break
   Kokkos::View<const std::uint8_t*, Memory> face_code;
   ConstRanges face_elements;
-  std::uint8_t released = 0;  ///< the status of a broken face
+  std::uint8_t released = 2, inserted = 1;  ///< status of a broken face, and of one that may yet
   double thickness = 1;
   Index layers = 2;  ///< elements behind the surface that are targets, besides the first
 };
 
+/// Marks of an element's face: on the surface; nodes at which an inserted face has come apart. An
+/// inserted face presses nobody (its own law does), but what lies at it is as exposed as at the
+/// surface, so phi is zero there.
+namespace surface_mark {
+inline constexpr std::uint8_t facet = 1, first_node = 2;
+}
+
 /// Memory of the update, kept from one to the next.
 template <int D>
 struct ContactScratch {
-  Array<std::uint8_t> surface;  ///< per element face: 1 on the surface
+  Array<std::uint8_t> surface;  ///< per element face: SurfaceMark
   Array<double> height;         ///< per element face, where it is on the surface
   Array<std::uint8_t> level;    ///< per node: number of edges to the surface
+  Array<std::uint8_t> edge;     ///< per node: 1 where phi is zero
   Array<std::uint8_t> chosen;   ///< per element
   Array<Index> ring, nearest, nearer;
   Array<double> depth;  ///< per node

@@ -40,6 +40,15 @@ struct ContactResponse {
   double friction = 0, viscous = 0, numeric = 0;  ///< J lost since the last step
 };
 
+/// A jump of the potential fades where that gives energy away. One that would push the point out
+/// stays and shrinks only as the point leaves by itself: an overlap that was there before the
+/// contact is never made into energy.
+KOKKOS_INLINE_FUNCTION
+double kept_offset(double offset, double phi, double keep) {
+  if (offset >= 0) return offset * keep;
+  return phi + offset < 0 ? -phi : offset;
+}
+
 /// Force of a contact point (ALGORITHMS ).
 ///
 // symbols  phi [m] depth  n [1] outward normal of the target  e [m] elastic slip
@@ -61,7 +70,8 @@ ContactResponse<D> contact_response(const ContactParameters& p, const ContactSta
   const double closing = -dot(motion.velocity, n);
   ContactResponse<D> r;
   ContactState<D>& s = r.next;
-  s.offset = motion.jumped ? old.phi + closing * motion.dt - motion.phi : old.offset * motion.keep;
+  s.offset = motion.jumped ? old.phi + closing * motion.dt - motion.phi
+                           : kept_offset(old.offset, motion.phi, motion.keep);
   s.phi = motion.phi + s.offset;
   if (!(s.phi > 0)) s.phi = 0;
   const double elastic = p.normal * s.phi;

@@ -77,9 +77,7 @@ void Contact<D>::bind(Model<D>& model) {
 template <int D>
 void Contact<D>::resume(Model<D>& model) {
   read_tables(model);
-  const auto signals = lists_.signals();
   lists_.prepare(model, model.scene->at("contact").number("skin"));
-  if (signals.value.extent(0) > 0) Kokkos::deep_copy(lists_.signals().value, signals.value);
   lists_.resume(model, rule_);
 }
 
@@ -111,6 +109,7 @@ void Contact<D>::act(Model<D>& model, const Clock& clock) {
   in.v = s.get<NodeVelocity<D>>();
   in.element_nodes = s.get<ElementNodes<D>>();
   in.element_material = s.get<ElementMaterial>();
+  if (s.has<FaceStatus>()) in.family = s.get<NodeFamily>();
   in.table = table_;
   in.materials = static_cast<Index>(model.materials.size());
   in.dt_before = clock.dt_before;

@@ -33,7 +33,8 @@ void ContactLists<D>::prepare(const Model<D>& model, double skin) {
   std::vector<Index> free;
   for (const ElementFace& f : model.topology.free) free.push_back(f.element * (D + 1) + f.face);
   free_facet_ = to_device("breccia::contact::free_facets", free);
-  signals_.value = Array<Index>("breccia::contact::signals", ContactSignals::count);
+  if (signals_.value.extent(0) == 0)
+    signals_.value = Array<Index>("breccia::contact::signals", ContactSignals::count);
   skin_share_ = skin;
 }
 
@@ -41,7 +42,6 @@ template <int D>
 void ContactLists<D>::start(Model<D>& model, const ContactStiffness<D>& rule) {
   model.store.set_count(Entity::contact_point, 0);
   make_surface(model);
-  take_contact_places<D>(model.store.template get<NodePosition<D>>(), surface_);
   make_pairs(model, rule);
   carry(model, false);
   jumped_ = false;
@@ -49,15 +49,11 @@ void ContactLists<D>::start(Model<D>& model, const ContactStiffness<D>& rule) {
 
 template <int D>
 void ContactLists<D>::resume(Model<D>& model, const ContactStiffness<D>& rule) {
-  // With releases pending the next search stage makes everything anew from the memories alone.
-  if (releases_ != model.releases) return;
-  make_surface(model);
-  const auto place = Kokkos::create_mirror_view(surface_.place);
-  const std::size_t n = std::min(saved_places_.size(), place.size());
-  std::copy_n(saved_places_.begin(), n, place.data());
-  Kokkos::deep_copy(surface_.place, place);
-  make_pairs(model, rule);
-  jumped_ = false;
+  make_room(surface_.nodes, surface_.targets);
+  refresh_contact_nodes<D>(model.store.template get<ElementNodes<D>>(), surface_);
+  skin_ = skin_share_ * smallest_contact_size(surface_);
+  finish_contact_pairs(surface_, search_scratch_, pairs_);
+  attach(model, rule);
 }
 
 template <int D>
@@ -75,8 +71,8 @@ void ContactLists<D>::look(Model<D>& model, const Clock& clock, const ContactSti
   }
   if (!due && !deeper) return;
   clear(model);
-  if (released || deeper) make_surface(model);
-  take_contact_places<D>(model.store.template get<NodePosition<D>>(), surface_);
+  // Faces that were inserted meanwhile can wait until now: they open slowly.
+  if (released || deeper || model.splits != surface_splits_) make_surface(model);
   make_pairs(model, rule);
   carry(model, released);
   last_look_ = clock.step;
@@ -148,20 +144,27 @@ void ContactLists<D>::make_surface(Model<D>& model) {
     in.face_code = s.get<FaceCode>();
     in.face_elements = s.get<FaceElements>();
     in.released = face_status::released;
+    in.inserted = face_status::inserted;
   }
   in.thickness = model.thickness;
   in.layers = static_cast<Index>(layers_);
   deeper_exist_ = update_contact_surface(in, scratch_, surface_);
   skin_ = skin_share_ * smallest_contact_size(surface_);
   releases_ = model.releases;
-  splits_ = model.splits;
+  splits_ = surface_splits_ = model.splits;
   jumped_ = true;
 }
 
 template <int D>
 void ContactLists<D>::make_pairs(Model<D>& model, const ContactStiffness<D>& rule) {
-  const Store& s = model.store;
+  take_contact_places<D>(model.store.template get<NodePosition<D>>(), surface_);
   search_contacts(surface_, skin_, search_scratch_, pairs_);
+  attach(model, rule);
+}
+
+template <int D>
+void ContactLists<D>::attach(Model<D>& model, const ContactStiffness<D>& rule) {
+  const Store& s = model.store;
   refresh_point_nodes(surface_, pairs_);
   flag_contact<D>(surface_, pairs_, s.get<ElementNodes<D>>(), s.get<NodeFlags>(),
                   node_flag::contact);
@@ -192,51 +195,6 @@ void ContactLists<D>::carry(Model<D>& model, bool released) {
     s.set_size(Entity::contact_point, 0, points + points / 4 + 16);
   s.set_count(Entity::contact_point, points);
   copy_history<D>(pairs_.point, spare_, points, s.get<ContactPoint>(), history(model));
-}
-
-template <int D>
-void ContactLists<D>::archive(Archive& archive) {
-  archive.integer("contact.layers", layers_);
-  archive.integer("contact.releases", releases_);
-  archive.integer("contact.splits", splits_);
-  archive.integer("contact.last_look", last_look_);
-  archive.integer("contact.next_look", next_look_);
-  if (!archive.loading()) {
-    const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, surface_.place);
-    saved_places_.assign(place.data(), place.data() + surface_.targets * (D + 1) * D);
-  }
-  archive.numbers("contact.places", saved_places_);
-  std::vector<std::int64_t> signals(ContactSignals::count);
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, signals_.value);
-  if (host.extent(0) > 0)
-    for (int i = 0; i < ContactSignals::count; ++i) signals[i] = host(i);
-  archive.integers("contact.signals", signals);
-  if (!archive.loading()) return;
-  std::vector<Index> read(signals.begin(), signals.end());
-  signals_.value = to_device("breccia::contact::signals", read);
-}
-
-namespace {
-template <class... Views>
-std::size_t memory_of(const Views&... views) {
-  return (std::size_t{0} + ... + (views.span() * sizeof(typename Views::value_type)));
-}
-}  // namespace
-
-template <int D>
-std::size_t ContactLists<D>::bytes() const {
-  const auto& s = surface_;
-  const auto& p = pairs_;
-  const auto& c = scratch_;
-  const auto& b = search_scratch_;
-  return memory_of(s.facet, s.facet_target, s.area, s.height, s.target, s.rim, s.nodes, s.place,
-                   s.depth, s.bubble, s.slope, old_facet_, free_facet_) +
-         memory_of(p.point, p.facet, p.pair_begin, p.target, p.own_begin, p.come_begin, p.come,
-                   p.element, p.nodes, p.hit, p.pair_force, p.pair_weight, p.point_force) +
-         memory_of(point_.constants, point_.material, spare_.element, spare_.state) +
-         memory_of(c.surface, c.height, c.level, c.chosen, c.ring, c.nearest, c.nearer, c.depth,
-                   c.gradient) +
-         memory_of(b.bins.begin, b.bins.fill, b.bins.tag, b.bins.target, b.count);
 }
 
 template class ContactLists<2>;

@@ -18,7 +18,7 @@ class ContactLists {
   void prepare(const Model<D>& model, double skin);
   /// First surface and search; no point remembers anything.
   void start(Model<D>& model, const ContactStiffness<D>& rule);
-  /// The same lists as before the checkpoint, bit for bit.
+  /// After `archive` has read the lists: what follows from them.
   void resume(Model<D>& model, const ContactStiffness<D>& rule);
   /// The search stage of a step.
   void look(Model<D>& model, const Clock& clock, const ContactStiffness<D>& rule);
@@ -39,6 +39,7 @@ class ContactLists {
   void clear(Model<D>& model) const;
   void make_surface(Model<D>& model);
   void make_pairs(Model<D>& model, const ContactStiffness<D>& rule);
+  void attach(Model<D>& model, const ContactStiffness<D>& rule);
   void carry(Model<D>& model, bool released);
 
   ContactSurface<D> surface_;
@@ -50,9 +51,9 @@ class ContactLists {
   ContactHistory<D> spare_;
   Array<Index> free_facet_, old_facet_;
   Index old_facets_ = 0;
-  std::vector<double> saved_places_;  ///< between `archive` and `resume`
   double skin_share_ = 0, skin_ = 0;
-  std::int64_t layers_ = 2, splits_ = 0, releases_ = 0, last_look_ = 0, next_look_ = 0;
+  std::int64_t layers_ = 2, splits_ = 0, surface_splits_ = 0, releases_ = 0;
+  std::int64_t last_look_ = 0, next_look_ = 0;
   bool deeper_exist_ = false, jumped_ = false;
 };
 
