@@ -77,6 +77,7 @@ class Simulation {
   typename Motion<D>::Factors factors_{};
   double kinetic_start_ = 0, stored_start_ = 0;
   std::int64_t next_renewal_ = 0;
+  std::int64_t next_look_ = 0;  ///< step before which a stale step is good enough
   Array<double> stiffness_;
 };
 
