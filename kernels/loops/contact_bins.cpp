@@ -56,7 +56,8 @@ void fill_contact_bins(const ContactSurface<D>& surface, double skin, ContactBin
   make_room(bins.fill, grid.buckets);
   Kokkos::deep_copy(Exec(), bins.fill, 0);
   const Array<Index> fill = bins.fill;
-  // Integer atomics: the counts, and after the sort of each point's list the result, are the same in any order.
+  // Integer atomics: the counts, and after the sort of each point's list the result, are the same
+  // in any order.
   for_each(
       "breccia::contact::count_buckets", surface.targets, KOKKOS_LAMBDA(Index t) {
         grid.cover(ContactBox<D>(surface.place, t, skin),

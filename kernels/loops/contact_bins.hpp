@@ -56,7 +56,8 @@ struct ContactGrid {
     for (int l = 0; l < level; ++l) c *= kGridRatio;
     return c;
   }
-  /// Cell number along one axis; far away ones are held at the rim, where they cost time but miss nothing.
+  /// Cell number along one axis; far away ones are held at the rim, where they cost time but miss
+  /// nothing.
   KOKKOS_FUNCTION
   static std::int64_t along(double x, double size) {
     constexpr double kRim = 134217727;  // 2^27 - 1

@@ -76,7 +76,8 @@ struct SurfaceMesh {
   }
 };
 
-/// Nearest facet of a ring node from its neighbours; `lower` admits only nodes nearer to the surface.
+/// Nearest facet of a ring node from its neighbours; `lower` admits only nodes nearer to the
+/// surface.
 template <int D>
 struct NearestFacet {
   SurfaceMesh<D> mesh;
@@ -163,7 +164,8 @@ struct GradientShare {
   }
 };
 
-/// Gradient of phi next to corner a of an element, averaged over the parts of the element that touch the corner.
+/// Gradient of phi next to corner a of an element, averaged over the parts of the element that
+/// touch the corner.
 template <int D>
 KOKKOS_FUNCTION
 void gradient_at_corner(const SurfaceMesh<D>& mesh, const Array<double>& depth, Index e, int a,

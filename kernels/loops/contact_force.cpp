@@ -108,7 +108,8 @@ struct ContactForceLoop {
     set_row<D>(in.pairs.point_force, a, point.force);
   }
 
-  /// The memory of the piece that the point is in: of the same element, or of one that shares a node with it.
+  /// The memory of the piece that the point is in: of the same element, or of one that shares a
+  /// node with it.
   KOKKOS_FUNCTION
   int remembered(const Point& point, Index element, const Index (&node)[D + 1]) const {
     for (int s = 0; s < kContactSlots; ++s)
@@ -214,7 +215,8 @@ struct ContactForceLoop {
     ++point.hits;
   }
 
-  /// The point is out of a piece that it was in. Having been deeper than it can have moved is a loss.
+  /// The point is out of a piece that it was in. Having been deeper than it can have moved is a
+  /// loss.
   KOKKOS_FUNCTION
   void leave(const Point& point, int slot, Sums<3>& lost) const {
     Index node[D + 1];

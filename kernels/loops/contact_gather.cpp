@@ -42,7 +42,8 @@ struct GatherContact {
   }
 };
 
-/// Where each pair would touch, as far as it counts for the stable step: barycentric weights, or nothing.
+/// Where each pair would touch, as far as it counts for the stable step: barycentric weights, or
+/// nothing.
 template <int D>
 struct LikelyContact {
   ContactStiffnessIn<D> in;

@@ -3,8 +3,10 @@
 
 namespace breccia {
 
-/// Sums the points' forces on the corners of each element that is involved, in fixed order: N_a F of its own points,
-/// then -L_k F of the pairs that push it, so that linear and angular momentum are kept to round-off.
+/// Sums the points' forces on the corners of each element that is involved, in fixed order: N_a F
+/// of its own points,
+/// then -L_k F of the pairs that push it, so that linear and angular momentum are kept to round-
+/// off.
 template <int D>
 void gather_contact(const ContactSurface<D>& surface, const ContactPairs<D>& pairs,
                     const CornerForces<D>& force);
@@ -37,8 +39,10 @@ struct ContactStiffnessIn {
   Index nodes = 0;
 };
 
-/// Adds to every node twice the stiffness that its contacts have or may soon have: 2 k N_a and 2 k L_k, by Jensen's
-/// inequality a bound on k |sum N u - sum L u|^2. L is taken at the nearest point of the candidate; of candidates that
+/// Adds to every node twice the stiffness that its contacts have or may soon have: 2 k N_a and 2 k
+/// L_k, by Jensen's
+/// inequality a bound on k |sum N u - sum L u|^2. L is taken at the nearest point of the candidate;
+/// of candidates that
 /// share nodes only the nearest counts, since a point is in one element of a piece.
 template <int D>
 void add_contact_stiffness(const ContactStiffnessIn<D>& in, const Array<double>& stiffness);

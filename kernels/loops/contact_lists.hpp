@@ -31,7 +31,8 @@ using CornerVectors = Kokkos::View<double * [D + 1][D], Rows, Memory>;
 template <int D>
 using FaceIndices = Kokkos::View<Index* [D], Rows, Memory>;
 
-/// Free and released faces, and the elements behind them. A facet is element * (D + 1) + local face.
+/// Free and released faces, and the elements behind them. A facet is element * (D + 1) + local
+/// face.
 template <int D>
 struct ContactSurface {
   Index facets = 0, targets = 0;

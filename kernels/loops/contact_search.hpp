@@ -3,7 +3,8 @@
 
 namespace breccia {
 
-/// Targets rendered to the cells of a few grids, each four times as coarse as the one before; a target lies in the
+/// Targets rendered to the cells of a few grids, each four times as coarse as the one before; a
+/// target lies in the
 /// grid that fits its size. Cells are kept in a hash table.
 template <int D>
 struct ContactBins {
@@ -39,8 +40,10 @@ ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
 template <int D>
 double smallest_contact_size(const ContactSurface<D>& surface);
 
-/// All pairs (contact point, target) whose distance at `surface.place` is at most `skin`, without targets that share a
-/// node with the point's face. As long as no node has moved more than skin / 2, no contact is missed. Lists are
+/// All pairs (contact point, target) whose distance at `surface.place` is at most `skin`, without
+/// targets that share a
+/// node with the point's face. As long as no node has moved more than skin / 2, no contact is
+/// missed. Lists are
 /// ascending, so they do not depend on the number of threads.
 template <int D>
 void search_contacts(const ContactSurface<D>& surface, double skin,

@@ -91,7 +91,8 @@ void find_facets(const ContactSurfaceIn<D>& in, ContactScratch<D>& scratch,
       KOKKOS_LAMBDA(Index i) { return (marked(i) & surface_mark::facet) != 0; }, surface.facet);
 }
 
-/// Nodes by their distance to the surface in edges, up to layers + 1; returns how many lie on the last level.
+/// Nodes by their distance to the surface in edges, up to layers + 1; returns how many lie on the
+/// last level.
 template <int D>
 Index find_ring(const ContactSurfaceIn<D>& in, ContactScratch<D>& scratch,
                 const ContactSurface<D>& surface, Index& ring_nodes) {

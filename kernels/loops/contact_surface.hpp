@@ -41,8 +41,10 @@ struct ContactScratch {
 };
 
 /// Facets, targets and their potential (ALGORITHMS ), from the reference configuration:
-/// depth of a node = its distance to the nearest facet of its own piece, exact where the chain of nearest facets leads
-/// there. Only nodes within `layers` + 1 edges of the surface are worked on. Returns true where deeper elements exist.
+/// depth of a node = its distance to the nearest facet of its own piece, exact where the chain of
+/// nearest facets leads
+/// there. Only nodes within `layers` + 1 edges of the surface are worked on. Returns true where
+/// deeper elements exist.
 template <int D>
 bool update_contact_surface(const ContactSurfaceIn<D>& in, ContactScratch<D>& scratch,
                             ContactSurface<D>& surface);

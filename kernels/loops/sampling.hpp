@@ -17,7 +17,8 @@ struct StressPoint {
   Kokkos::Array<double, D + 1> shares;
 };
 
-/// Cauchy stress at a point, Pa. The stress of a simplex is constant and right at its centroid only;
+/// Cauchy stress at a point, Pa. The stress of a simplex is constant and right at its centroid
+/// only;
 /// the averages over the elements around each corner, weighted by volume, vary linearly between
 /// the corners and are of second order inside a mesh. Only elements of the point's own material
 /// count, for stress may jump from one to the next.

@@ -8,7 +8,8 @@ namespace breccia {
 //
 // symbols  jump [m] x_right - x_left in the face's frame, normal first
 //          d0 [m] offset of the origin, k_n d0 the normal traction at insertion
-//          w [m] virtual opening   kap [m] largest w so far   w_p, w_f [m] at the peak, at the break
+//          w [m] virtual opening   kap [m] largest w so far   w_p, w_f [m] at the peak, at the
+//          break
 //          xi [m] elastic slip     dp [m] plastic slip        s [m] its length so far
 //          D, D_I, D_II [1] damage, its share of opening, of slip   S(D) [1] strength left
 //          f_t, c_0 [Pa] tensile strength, cohesion; with a star: not less than the traction at
@@ -158,8 +159,12 @@ auto Cohesive<D, Softening>::try_damage(const State& old, const Vec<D>& jump, do
   t.yield = cohesive_traction(old, damage, t.normal) + friction_traction(damage, t.normal);
   t.slipped = Kokkos::max(0.0, (elastic_trial - t.yield) / springs.shear);
   // eq:cohesive-9  D_I = (kap - w_p) / (w_f - w_p), D_II = s / s_f, D = sqrt(D_I^2 + D_II^2)
-  const double peak_opening = old.strength / springs.normal;
-  const double d1 = Kokkos::max(0.0, t.opening - peak_opening) / old.opening_reach;
+  if (t.slipped == 0 && t.opening == old.opening) {
+    t.wanted = old.damage;  // nothing that damage depends on has moved
+    return t;
+  }
+  const double excess = springs.normal * t.opening - old.strength;
+  const double d1 = excess > 0 ? excess / (springs.normal * old.opening_reach) : 0;
   const double d2 = (old.slip + t.slipped) / old.slip_reach;
   t.wanted = Kokkos::sqrt(d1 * d1 + d2 * d2);
   return t;
@@ -270,15 +275,18 @@ CohesiveResponse<D> Cohesive<D, Softening>::respond(const State& old, const Vec<
     r.traction[i + 1] = springs.shear * xi[i] - springs.shear * t.slipped * direction;
   }
 
-  const double normal_before =
-      normal_traction(old, shifted(old, old.jump[0], old.damage), old.opening, old.damage);
-  const double cohesion = cohesive_traction(old, old.damage, normal_before) +
-                          cohesive_traction(old, t.damage, t.normal);
-  const double friction =
-      friction_traction(old.damage, normal_before) + friction_traction(t.damage, t.normal);
-  r.spent.tension = spent_in_opening(old, r.next, t.normal, done);
-  r.spent.shear = 0.5 * cohesion * t.slipped * done;  // eq:cohesive-12  dW_II = S c ds
-  r.spent.friction = 0.5 * friction * t.slipped;      // eq:cohesive-13  heat mu |T_n| ds
+  if (t.opening > old.opening || r.next.damage > old.damage)
+    r.spent.tension = spent_in_opening(old, r.next, t.normal, done);
+  if (t.slipped > 0) {
+    const double before =
+        normal_traction(old, shifted(old, old.jump[0], old.damage), old.opening, old.damage);
+    const double cohesion =
+        cohesive_traction(old, old.damage, before) + cohesive_traction(old, t.damage, t.normal);
+    const double friction =
+        friction_traction(old.damage, before) + friction_traction(t.damage, t.normal);
+    r.spent.shear = 0.5 * cohesion * t.slipped * done;  // eq:cohesive-12  dW_II = S c ds
+    r.spent.friction = 0.5 * friction * t.slipped;      // eq:cohesive-13  heat mu |T_n| ds
+  }
 
   r.next.viscous = dashpots(old, r.next, t.normal, rate);
   for (int i = 0; i < D; ++i)

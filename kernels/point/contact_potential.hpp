@@ -4,16 +4,21 @@
 
 namespace breccia {
 
-/// Contact potential of one element: how deep a point is inside its piece of material (ALGORITHMS ).
+/// Contact potential of one element: how deep a point is inside its piece of material (ALGORITHMS
+///
 ///
 // symbols  phi [m] depth below the surface      L_k [1] barycentric coordinates of the point
 //          phi_k [m] depth of node k, measured in the reference configuration; 0 on the surface
 //          b_f [m] bubble of face f, see below   G [1] gradient of phi, of length about 1
-//          s_k,j [m] reference gradient at node k times reference edge j: the edges deform, the numbers do not
+//          s_k,j [m] reference gradient at node k times reference edge j: the edges deform, the
+//          numbers do not
 // eq:contact-potential-1   phi = sum_k L_k phi_k + max_f b_f min over the nodes i of f (L_i)
-//   The second term serves faces that are not surface but whose nodes all are (a chord across a corner or a thin
-//   strip): without it phi would vanish on them. b_f is D times the depth at the middle of the face.
-// eq:contact-potential-2   phi = min_f h_f L_f in an element all of whose faces are surface: its exact depth. The
+//   The second term serves faces that are not surface but whose nodes all are (a chord across a
+//   corner or a thin
+//   strip): without it phi would vanish on them. b_f is D times the depth at the middle of the
+//   face.
+// eq:contact-potential-2   phi = min_f h_f L_f in an element all of whose faces are surface: its
+// exact depth. The
 //   heights h_f are stored as negative bubbles.
 template <int D>
 struct ContactPotential {
@@ -55,7 +60,8 @@ struct ContactPotential {
   }
 
   /// Smooth gradient: that of the nodes, interpolated. A sharp corner of the body has no smooth
-  /// gradient (all zero, see kSharp); the exact one of the element, `own`, stands in for it, so that
+  /// gradient (all zero, see kSharp); the exact one of the element, `own`, stands in for it, so
+  /// that
   /// a flat side pushes along its normal up to its end.
   KOKKOS_FUNCTION
   void smooth(const double (&l)[D + 1], const double (&own)[D], double (&edge)[D]) const {
@@ -99,7 +105,8 @@ Vec<D> gradient_in_space(const Mat<D>& inverse_edges, const double (&product)[D]
   return g;
 }
 
-/// The mean of unit gradients is the shorter the more they differ: cos(a / 2) where two faces meet at
+/// The mean of unit gradients is the shorter the more they differ: cos(a / 2) where two faces meet
+/// at
 /// an angle a. Shorter than this (a above 50 degrees) the node is a corner that nobody meant to be
 /// round, and is left unsmoothed.
 inline constexpr double kSharp = 0.9;
@@ -107,7 +114,8 @@ inline constexpr double kSharp = 0.9;
 /// Shorter than this, the smooth gradient says nothing (the middle of a thin strip, say).
 inline constexpr double kShortGradient = 0.2;
 
-/// Outward normal of the target at the point. `smooth` false gives the exact gradient of phi in the element. When
+/// Outward normal of the target at the point. `smooth` false gives the exact gradient of phi in the
+/// element. When
 /// both gradients are too short, `instead` (the reversed normal of the contactor's face).
 template <int D>
 KOKKOS_FUNCTION

@@ -5,8 +5,10 @@
 
 namespace breccia {
 
-/// Side of the line a -> b on which q lies: +1 left, -1 right, never 0. A point on the line is moved by
-/// (epsilon, epsilon^2), the same for every line, so that a point belongs to exactly one element of a mesh.
+/// Side of the line a -> b on which q lies: +1 left, -1 right, never 0. A point on the line is
+/// moved by
+/// (epsilon, epsilon^2), the same for every line, so that a point belongs to exactly one element of
+/// a mesh.
 KOKKOS_INLINE_FUNCTION
 int side_of_line(const Vec<2>& a, const Vec<2>& b, const Vec<2>& q) {
   const Vec<2> along = b - a;
@@ -19,7 +21,8 @@ int side_of_line(const Vec<2>& a, const Vec<2>& b, const Vec<2>& q) {
   return along[0] > 0 ? 1 : -1;
 }
 
-/// True when q lies in the positively oriented triangle. Each edge is looked at from its smaller to its larger node,
+/// True when q lies in the positively oriented triangle. Each edge is looked at from its smaller to
+/// its larger node,
 /// so that the two elements that share it see the same bits and exactly one of them claims q.
 template <int D>
 KOKKOS_FUNCTION
@@ -76,7 +79,8 @@ double square_distance_to_face(const Vec<D> (&x)[D], const Vec<D>& q) {
   return square_distance_to_segment(x[0], x[1], q);
 }
 
-/// Square of the distance from q to a simplex; zero inside. `l` receives barycentric weights of the nearest point.
+/// Square of the distance from q to a simplex; zero inside. `l` receives barycentric weights of the
+/// nearest point.
 template <int D>
 KOKKOS_FUNCTION
 double square_distance_to_simplex(const Vec<D> (&x)[D + 1], const Vec<D>& q, double (&l)[D + 1]) {
