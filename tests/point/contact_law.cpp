@@ -97,7 +97,8 @@ TEST(ContactLaw, SlidingStops) {
   b.law = {k, 0.3 * k, 2e2, 1e2, mu};
   b.v = {{2, 0}};
   b.x = {{0, -g / k}};
-  b.state = contact_response(b.law, ContactState<2>(), {g / k, {{0, 1}}, b.v, 0.0, 0.9, false}).next;
+  b.state =
+      contact_response(b.law, ContactState<2>(), {g / k, {{0, 1}}, b.v, 0.0, 0.9, false}).next;
   const double dt = 2e-5;
   for (int i = 0; i < 40000; ++i) b.step(dt, {{0, -g}});
   EXPECT_NEAR(b.x[0], 0.679579, 0.679579 * 2e-3);

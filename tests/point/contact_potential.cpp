@@ -36,7 +36,8 @@ TEST(ContactPotential, OneElementClaimsAPoint) {
     };
     EXPECT_EQ(claimants(hub), 1);
     for (int i = 0; i < 7; ++i)
-      for (const double s : {0.1, 0.25, 0.5, 1.0 / 3}) EXPECT_EQ(claimants(hub + (rim[i] - hub) * s), 1);
+      for (const double s : {0.1, 0.25, 0.5, 1.0 / 3})
+        EXPECT_EQ(claimants(hub + (rim[i] - hub) * s), 1);
     EXPECT_EQ(claimants(hub + Vec<2>{{2, 2}}), 0);
   }
 }
@@ -55,8 +56,8 @@ TEST(ContactPotential, SingleTriangleIsExactDepth) {
     const Vec<2> q = mix(x, l);
     double depth = 1e9;
     for (int f = 0; f < 3; ++f)
-      depth = std::min(depth, std::sqrt(square_distance_to_segment(
-                                  x[face_node<2>(f, 0)], x[face_node<2>(f, 1)], q)));
+      depth = std::min(depth, std::sqrt(square_distance_to_segment(x[face_node<2>(f, 0)],
+                                                                   x[face_node<2>(f, 1)], q)));
     const auto v = p.value(l);
     EXPECT_NEAR(v.phi, depth, 1e-14);
     const Vec<2> g = gradient_in_space<2>(inverse(edge_matrix<2>(x)), v.edge);
@@ -95,7 +96,8 @@ TEST(ContactPotential, GradientIsTheDerivative) {
     }
     if (p.single())
       for (double& d : p.depth) d = 0;
-    double l[3] = {0.1 + random.uniform(i, 6), 0.1 + random.uniform(i, 7), 0.1 + random.uniform(i, 8)};
+    double l[3] = {0.1 + random.uniform(i, 6), 0.1 + random.uniform(i, 7),
+                   0.1 + random.uniform(i, 8)};
     const double sum = l[0] + l[1] + l[2];
     for (double& a : l) a /= sum;
     const Vec<2> q = mix(x, l), g = gradient_in_space<2>(inverted, p.value(l).edge);
