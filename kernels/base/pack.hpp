@@ -10,6 +10,9 @@ namespace breccia {
 
 /// What a loop body computes with: a SIMD register of doubles on the host, one double on a
 /// device. Laws are templates over it and are written once.
+///
+/// Packs are compared with < and <= only: up to Kokkos 5.0.2, a > b and a >= b of AVX-512 packs are
+/// b > a and b >= a (github.com/kokkos/kokkos/pull/8797).
 using HostPack = Kokkos::Experimental::simd<double>;
 using Pack = std::conditional_t<kOnDevice, double, HostPack>;
 

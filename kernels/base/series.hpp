@@ -24,7 +24,7 @@ R atanh_over(const R& y) {
 template <class R>
 KOKKOS_FORCEINLINE_FUNCTION
 R atanh_ratio(const R& y) {
-  if (any(y > R(series::kReach))) {
+  if (any(!(y <= R(series::kReach)))) {
     return map_lanes(y, [](double yi) {
       if (!(yi > series::kReach)) return series::atanh_over(yi);
       const double q = Kokkos::sqrt(yi);

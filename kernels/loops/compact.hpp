@@ -17,4 +17,11 @@ inline Index compact(const char* label, const Kokkos::View<const std::uint8_t*, 
       });
 }
 
+/// Sets a flag that several iterations may set at once, all to the same value.
+KOKKOS_FORCEINLINE_FUNCTION
+void raise(const Array<std::uint8_t>& flag, Index i) {
+  KOKKOS_IF_ON_HOST((Kokkos::atomic_store(&flag(i), std::uint8_t{1});))
+  KOKKOS_IF_ON_DEVICE((flag(i) = 1;))
+}
+
 }  // namespace breccia

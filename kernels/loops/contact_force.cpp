@@ -166,7 +166,10 @@ struct ContactForceLoop {
     const int slot = remembered(point, element, node);
     ContactMotion<D> motion;
     motion.phi = depth.phi;
-    motion.normal = contact_normal(potential, l, depth.edge, inverted, in.smooth, point.instead);
+    const ContactDirection<D> direction =
+        contact_direction(potential, l, depth.edge, inverted, in.smooth, point.instead);
+    motion.normal = direction.normal;
+    motion.slope = direction.slope;
     motion.velocity = point.v;
     for (int k = 0; k <= D; ++k) motion.velocity -= row<D>(in.v, node[k]) * l[k];
     motion.dt = in.dt_before;
@@ -198,7 +201,7 @@ struct ContactForceLoop {
     ContactState<D> handed;
     handed.slip = old.slip;
     ContactMotion<D> then = motion;
-    then.phi += dot(motion.velocity, motion.normal) * motion.dt;
+    then.phi += motion.slope * dot(motion.velocity, motion.normal) * motion.dt;
     then.dt = 0;
     then.jumped = false;
     return contact_response(law, handed, then).next;

@@ -46,7 +46,7 @@ struct ElementForceLoop {
 
   KOKKOS_FORCEINLINE_FUNCTION
   void report(Index first, const R& jacobian) const {
-    if (!any(!(jacobian > R(in.smallest_jacobian)))) return;
+    if (!any(!(R(in.smallest_jacobian) < jacobian))) return;
     double j[W];
     store(jacobian, j);
     for (int l = 0; l < W; ++l)

@@ -1,6 +1,7 @@
 #include "loops/face_insertion.hpp"
 
 #include "loops/boundary.hpp"
+#include "loops/compact.hpp"
 
 namespace breccia {
 
@@ -34,9 +35,7 @@ struct InsertionLoop {
       out.active(i, c) = 0;
       for (int d = 0; d < D; ++d) out.force(i, c, d) = 0;
       const auto at = in.faces.left(face, c);
-      // Several faces write the same one here.
-      Kokkos::atomic_store(&out.touched(in.family(in.element_nodes(at.element, at.node))),
-                           std::uint8_t{1});
+      raise(out.touched, in.family(in.element_nodes(at.element, at.node)));
     }
   }
 };

@@ -5,55 +5,38 @@ namespace breccia {
 namespace {
 
 template <int D>
-struct BookLoop {
-  InterfaceMap<D> map;
-  ConstPairForces<D> pair;
-  ConstArray<Index> elements;
-  CornerForces<D> force;
-
-  KOKKOS_FUNCTION
-  void operator()(Index k) const {
-    const Index e = elements(k);
-    Vec<D> sum[D + 1];
-    for (int a = 0; a <= D; ++a) sum[a] = Vec<D>::zero();
-    for (int f = 0; f <= D; ++f) {
-      const Index i = map.at(e, f);
-      if (i == kNone) continue;
-      const Index face = map.faces.of_element(e, f);
-      const bool is_left = map.faces.elements(face, 0) == e;
-      for (int c = 0; c < D; ++c) {
-        const auto corner = is_left ? map.faces.left(face, c) : map.faces.right(face, c);
-        for (int d = 0; d < D; ++d) sum[corner.node][d] += is_left ? pair(i, c, d) : -pair(i, c, d);
-      }
-    }
-    for (int a = 0; a <= D; ++a)
-      for (int d = 0; d < D; ++d) force(e, a, d) = sum[a][d];
-  }
-};
-
-template <int D>
 struct StiffnessLoop {
   InterfaceMap<D> map;
-  ConstRanges corners;
+  ConstArray<Index> families;
+  ConstRanges family_corners;
   ConstArray<Index> corner_list;
-  ConstArray<std::uint32_t> flags;
-  std::uint32_t bits;
+  ConstConnectivity<D> nodes;
   Array<double> stiffness;
 
+  /// The corners of a node lie side by side in the list.
   KOKKOS_FUNCTION
-  void operator()(Index n) const {
-    if ((flags(n) & bits) == 0) return;
-    double sum = 0;
-    for (Index k = corners(n, 0); k < corners(n, 1); ++k) {
-      const Index e = corner_list(k) / (D + 1);
-      const int a = static_cast<int>(corner_list(k) % (D + 1));
-      for (int f = 0; f <= D; ++f)
-        if (f != a) sum += spring_at(e, f, a);
+  void operator()(Index t) const {
+    const Index end = family_corners(families(t), 1);
+    for (Index k = family_corners(families(t), 0); k < end;) {
+      const Index node = node_at(k);
+      double sum = 0;
+      for (; k < end && node_at(k) == node; ++k) {
+        const Index e = corner_list(k) / (D + 1);
+        const int a = static_cast<int>(corner_list(k) % (D + 1));
+        for (int f = 0; f <= D; ++f)
+          if (f != a) sum += spring_at(e, f, a);
+      }
+      stiffness(node) = 2 * sum;
     }
-    stiffness(n) += 2 * sum;
   }
 
  private:
+  KOKKOS_FUNCTION
+  Index node_at(Index k) const {
+    const Index corner = corner_list(k);
+    return nodes(corner / (D + 1), static_cast<int>(corner % (D + 1)));
+  }
+
   KOKKOS_FUNCTION
   double spring_at(Index e, int f, int a) const {
     const Index i = map.at(e, f);
@@ -100,18 +83,13 @@ struct EnergyLoop {
 }  // namespace
 
 template <int D>
-void InterfaceBooks<D>::forces(const ConstPairForces<D>& pair, const ConstArray<Index>& elements,
-                               Index count, const CornerForces<D>& force) const {
-  for_each("breccia::fracture::book_forces", count, BookLoop<D>{map, pair, elements, force});
-}
-
-template <int D>
-void InterfaceBooks<D>::stiffness(Index nodes, const ConstRanges& corners,
+void InterfaceBooks<D>::stiffness(const ConstArray<Index>& families, Index count,
+                                  const ConstRanges& family_corners,
                                   const ConstArray<Index>& corner_list,
-                                  const ConstArray<std::uint32_t>& flags, std::uint32_t bits,
+                                  const ConstConnectivity<D>& nodes,
                                   const Array<double>& stiffness) const {
-  for_each("breccia::fracture::stiffness", nodes,
-           StiffnessLoop<D>{map, corners, corner_list, flags, bits, stiffness});
+  for_each("breccia::fracture::stiffness", count,
+           StiffnessLoop<D>{map, families, family_corners, corner_list, nodes, stiffness});
 }
 
 template <int D>
@@ -126,19 +104,7 @@ InterfaceSums InterfaceBooks<D>::energies(const ConstCornerStates<D>& state,
   return {s[0], s[1], s[2], s[3], s[4], s[5]};
 }
 
-template <int D>
-void clear_corner_forces(const ConstArray<Index>& elements, Index count,
-                         const CornerForces<D>& force) {
-  for_each(
-      "breccia::fracture::clear_forces", count, KOKKOS_LAMBDA(Index k) {
-        for (int a = 0; a <= D; ++a)
-          for (int d = 0; d < D; ++d) force(elements(k), a, d) = 0;
-      });
-}
-
 template struct InterfaceBooks<2>;
 template struct InterfaceBooks<3>;
-template void clear_corner_forces<2>(const ConstArray<Index>&, Index, const CornerForces<2>&);
-template void clear_corner_forces<3>(const ConstArray<Index>&, Index, const CornerForces<3>&);
 
 }  // namespace breccia

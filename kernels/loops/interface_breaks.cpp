@@ -1,5 +1,6 @@
 #include "loops/interface_breaks.hpp"
 
+#include "loops/compact.hpp"
 #include "point/interface_frame.hpp"
 
 namespace breccia {
@@ -74,19 +75,22 @@ void InterfaceBreaks<D>::release(const Array<Index>& broken, Index n,
 }
 
 template <int D>
-void retire_interfaces(Index count, const Array<std::uint8_t>& life, const PairForces<D>& force) {
+void retire_interfaces(Index count, const RetireIn<D>& in) {
   for_each(
       "breccia::fracture::retire", count, KOKKOS_LAMBDA(Index i) {
-        if (life(i) != interface_life::leaving) return;
-        life(i) = interface_life::gone;
-        for (int c = 0; c < D; ++c)
-          for (int d = 0; d < D; ++d) force(i, c, d) = 0;
+        if (in.life(i) != interface_life::leaving) return;
+        in.life(i) = interface_life::gone;
+        for (int c = 0; c < D; ++c) {
+          for (int d = 0; d < D; ++d) in.force(i, c, d) = 0;
+          const auto at = in.faces.left(in.record(i).face, c);
+          raise(in.touched, in.family(in.nodes(at.element, at.node)));
+        }
       });
 }
 
 template struct InterfaceBreaks<2>;
 template struct InterfaceBreaks<3>;
-template void retire_interfaces<2>(Index, const Array<std::uint8_t>&, const PairForces<2>&);
-template void retire_interfaces<3>(Index, const Array<std::uint8_t>&, const PairForces<3>&);
+template void retire_interfaces<2>(Index, const RetireIn<2>&);
+template void retire_interfaces<3>(Index, const RetireIn<3>&);
 
 }  // namespace breccia

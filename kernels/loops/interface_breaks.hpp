@@ -24,13 +24,25 @@ struct InterfaceBreaks {
                const PairForces<D>& slip) const;
 };
 
-/// Interfaces [0, count) that were leaving are gone, and their forces with them.
+/// Interfaces that were leaving are gone, and their forces with them. `touched` is set at the
+/// families of their corners.
 template <int D>
-void retire_interfaces(Index count, const Array<std::uint8_t>& life, const PairForces<D>& force);
+struct RetireIn {
+  FaceMap<D> faces;
+  ConstArray<InterfaceRecord> record;
+  ConstConnectivity<D> nodes;
+  ConstArray<Index> family;  ///< of nodes
+  Array<std::uint8_t> life;
+  PairForces<D> force;
+  Array<std::uint8_t> touched;
+};
+
+template <int D>
+void retire_interfaces(Index count, const RetireIn<D>& in);
 
 extern template struct InterfaceBreaks<2>;
 extern template struct InterfaceBreaks<3>;
-extern template void retire_interfaces<2>(Index, const Array<std::uint8_t>&, const PairForces<2>&);
-extern template void retire_interfaces<3>(Index, const Array<std::uint8_t>&, const PairForces<3>&);
+extern template void retire_interfaces<2>(Index, const RetireIn<2>&);
+extern template void retire_interfaces<3>(Index, const RetireIn<3>&);
 
 }  // namespace breccia

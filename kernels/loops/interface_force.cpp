@@ -17,8 +17,7 @@ struct InterfaceForceLoop {
     const InterfaceRecord& record = in.record(i);
     Vec<D> middle[D], jump[D];
     for (int c = 0; c < D; ++c) {
-      const Vec<D> l = face_point(in.faces, in.element_nodes, in.x, record.face, 0, c);
-      const Vec<D> r = face_point(in.faces, in.element_nodes, in.x, record.face, 1, c);
+      const Vec<D> l = row<D>(in.x, in.nodes(k, 0, c)), r = row<D>(in.x, in.nodes(k, 1, c));
       middle[c] = (l + r) * 0.5;
       jump[c] = r - l;
     }

@@ -6,10 +6,9 @@ namespace breccia {
 /// Interfaces list[begin] ... list[end - 1], all of one law.
 template <int D>
 struct InterfaceForceIn {
-  FaceMap<D> faces;
-  ConstConnectivity<D> element_nodes;
   ConstVectors<D> x;  ///< m, at t^n
   ConstArray<Index> list;
+  Kokkos::View<const Index* [2][D], Rows, Memory> nodes;  ///< per place in the list
   Index begin, end;
   ConstArray<InterfaceRecord> record;
   ConstCornerFlags<D> active;

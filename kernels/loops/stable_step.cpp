@@ -1,15 +1,40 @@
 #include "loops/stable_step.hpp"
 
 #include "loops/element.hpp"
+#include "point/hencky.hpp"
 
 namespace breccia {
 
 namespace {
 
-/// omega_e^2 times the mass at one of its corners, N/m.
+/// The smallest principal value from below; exact in the plane.
+KOKKOS_INLINE_FUNCTION
+double least_principal(const Sym<2>& a) {
+  const double half = 0.5 * (a.s[0] - a.s[1]);
+  return 0.5 * trace(a) - Kokkos::sqrt(half * half + a.s[2] * a.s[2]);
+}
+KOKKOS_INLINE_FUNCTION
+double least_principal(const Sym<3>& a) {
+  const double mean = trace(a) / 3;
+  Sym<3> deviator = a;
+  for (int i = 0; i < 3; ++i) deviator.s[i] -= mean;
+  return mean - 2 * Kokkos::sqrt(contract(deviator, deviator) / 6);
+}
+
+/// Frobenius norm of the rate of deformation, 1/s; `c` and `det` are of the present edges.
 template <int D>
 KOKKOS_FUNCTION
-double element_rate(const StableStepIn<D>& in, Index e) {
+double strain_rate(const StableStepIn<D>& in, Index e, const Mat<D>& c, double det) {
+  Vec<D> v[D + 1];
+  gather(in.element_nodes, in.v, e, e, v);
+  const Sym<D> d = symmetric_part(edges<D, double>(v) * transpose(c));
+  return Kokkos::sqrt(contract(d, d)) / Kokkos::abs(det);
+}
+
+/// omega_e^2 times the mass at one of its corners, N/m; its rate of deformation in `deforming`.
+template <int D>
+KOKKOS_FUNCTION
+double element_rate(const StableStepIn<D>& in, Index e, double& deforming) {
   Vec<D> x[D + 1];
   gather(in.element_nodes, in.x, e, e, x);
   const Mat<D> g = edges<D, double>(x);
@@ -26,25 +51,40 @@ double element_rate(const StableStepIn<D>& in, Index e) {
     heights += sum * sum;
   }
   heights /= det * det;
+  deforming = strain_rate(in, e, c, det);
   Mat<D> reference;
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j) reference(i, j) = in.reference(e, i, j);
   const Index material = in.material(e);
-  const double speed = in.wave_speed(material), xi = in.damping(material);
+  const HenckyElastic law{in.lame(material, 0), in.lame(material, 1)};
+  const double small = determinant(reference);
+  const Sym<D> tau = law.kirchhoff(hencky_strain(left_cauchy_green(g * reference), det * small));
+  const double pressed = -least_principal(tau);
+  const double modulus = law.lambda + 2 * law.mu + (pressed > 0 ? pressed : 0.0);
+  const double xi = in.damping(material);
   const double slow = Kokkos::sqrt(1 + xi * xi) - xi;
-  const double corner_mass =
-      in.density(material) * in.thickness / (kFactorial<D> * (D + 1) * determinant(reference));
-  return speed * speed * (D + 1) * heights / (slow * slow) * corner_mass;
+  // The mass of a corner is density times the reference volume over its number.
+  const double volume = in.thickness / (kFactorial<D> * small);
+  return modulus * heights / (slow * slow) * volume;
 }
 
 }  // namespace
 
 template <int D>
 StableStep stable_step(const StableStepIn<D>& in) {
-  if (in.renew_rates)
-    for_each(
-        "breccia::motion::element_rate", in.elements,
-        KOKKOS_LAMBDA(Index e) { in.rate(e) = element_rate(in, e); });
+  double fastest = 0;
+  if (in.renew_rates) {
+    count_launch();
+    Kokkos::parallel_reduce(
+        "breccia::motion::element_rate",
+        Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, in.elements),
+        KOKKOS_LAMBDA(Index e, double& most) {
+          double deforming = 0;
+          in.rate(e) = element_rate(in, e, deforming);
+          if (deforming > most) most = deforming;
+        },
+        Kokkos::Max<double>(fastest));
+  }
   const bool springs = in.stiffness.extent(0) > 0;
   using Reducer = Kokkos::MinLoc<double, Index, Memory>;
   typename Kokkos::MinLoc<double, Index>::value_type least;
@@ -70,7 +110,7 @@ StableStep stable_step(const StableStepIn<D>& in) {
     const auto one = Kokkos::subview(in.stiffness, std::make_pair(least.loc, least.loc + 1));
     s = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, one)(0);
   }
-  return {least.val, least.loc, s > 0};
+  return {least.val, least.loc, s > 0, fastest};
 }
 
 template StableStep stable_step<2>(const StableStepIn<2>&);

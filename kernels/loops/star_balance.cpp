@@ -80,9 +80,9 @@ struct BalanceLoop {
       mass += m;
       for (int d = 0; d < D; ++d) {
         double f = 0;
-        for (const ConstCornerForces<D>& of_class : in.force)
-          if (of_class.extent(0) > 0)
-            f += of_class(in.map.element(corner(g, i)), in.map.local(corner(g, i)), d);
+        for (int k = 0; k < kCornerForceClasses; ++k)
+          if (in.force[k].extent(0) > 0)
+            f += in.force[k](in.map.element(corner(g, i)), in.map.local(corner(g, i)), d);
         w.wanted(c, d) -= f;
         total[d] += f;
       }

@@ -209,7 +209,9 @@ auto Cohesive<D, Softening>::solve_damage(const State& old, const Vec<D>& jump,
 }
 
 /// eq:cohesive-10  dW_I = mean T_n d(jump_n) - d(stored), counted from where damage begins; `done`
-/// is the part of the step up to D = 1. Zero where neither damage nor stiffness changed.
+/// is the part of the step up to D = 1. Zero where neither damage nor stiffness changed. A step
+/// that ends or begins closed meets the kink at w = 0, which costs nothing: there dW_I is what the
+/// spring loses at either end by the change of damage, on average.
 template <int D, class Softening>
 KOKKOS_FUNCTION
 double Cohesive<D, Softening>::spent_in_opening(const State& old, const State& next, double normal,
@@ -219,19 +221,21 @@ double Cohesive<D, Softening>::spent_in_opening(const State& old, const State& n
   if (old.damage >= 1 || (next.damage <= old.damage && k_new >= k_old)) return 0;
   double from = old.jump[0];
   double w = shifted(old, from, old.damage);
-  double traction = (w < 0 ? springs.normal : k_old) * w;
-  // Up to `limit` the way is elastic, whatever the kink at w = 0.
+  const double to = next.jump[0], w_to = shifted(next, to, next.damage);
+  double traction = k_old * w;
+  // Up to `limit` the way is elastic.
   const double limit =
       Kokkos::max(old.opening, old.strength * Softening::left(old.damage) / springs.normal);
-  if (w < limit && shifted(old, next.jump[0], old.damage) > limit) {
+  if (w < limit && shifted(old, to, old.damage) > limit) {
     from += limit - w;
+    w = limit;
     traction = old.strength * Softening::left(old.damage);
   }
-  const double before = normal_energy(old, from);
-  const double way = next.jump[0] - from;
-  if (next.damage >= 1 && shifted(next, next.jump[0], 1) > 0)
-    return 0.5 * traction * way * done + before;
-  return 0.5 * (traction + normal) * way + before - normal_energy(next, next.jump[0]);
+  const double before = normal_energy(old, from), after = normal_energy(next, to);
+  if (w <= 0 || w_to <= 0)
+    return 0.5 * (before - normal_energy(next, from) + normal_energy(old, to) - after);
+  if (next.damage >= 1) return 0.5 * traction * (to - from) * done + before;
+  return 0.5 * (traction + normal) * (to - from) + before - after;
 }
 
 /// eq:cohesive-11  viscous tractions c_n d(jump_n)/dt and c_s d(xi)/dt, fading with the stiffness

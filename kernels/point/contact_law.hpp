@@ -28,6 +28,7 @@ template <int D>
 struct ContactMotion {
   double phi;       ///< depth now, m
   Vec<D> normal;    ///< of the target, outwards
+  double slope;     ///< by how much phi grows per way against the normal, about 1
   Vec<D> velocity;  ///< of the point relative to the target at t^(n-1/2), m/s
   double dt;        ///< length of the last step, s
   double keep;      ///< share of a jump of the potential that is left after this step
@@ -53,7 +54,8 @@ double kept_offset(double offset, double phi, double keep) {
 ///
 // symbols  phi [m] depth  n [1] outward normal of the target  e [m] elastic slip
 //          v [m/s] velocity of the point relative to the target  k, k_t [N/m]  c, c_t [N s/m]
-// eq:contact-1   F_n = max(0, k phi - c v.n)                     never tensile
+//          g [1] slope of phi
+// eq:contact-1   F_n = g max(0, k phi - c g v.n)                 never tensile
 // eq:contact-2   e* = e turned into the tangent plane + v_t dt
 // eq:contact-3   e = e* while k_t |e*| <= mu F_n (sticks), else mu F_n / k_t along e* (slips)
 // eq:contact-4   F_t = k_t e, and + c_t v_t up to mu F_n while it sticks
@@ -67,16 +69,16 @@ KOKKOS_FUNCTION
 ContactResponse<D> contact_response(const ContactParameters& p, const ContactState<D>& old,
                                     const ContactMotion<D>& motion) {
   const Vec<D>& n = motion.normal;
-  const double closing = -dot(motion.velocity, n);
+  const double closing = -dot(motion.velocity, n), rate = motion.slope * closing;
   ContactResponse<D> r;
   ContactState<D>& s = r.next;
-  s.offset = motion.jumped ? old.phi + closing * motion.dt - motion.phi
+  s.offset = motion.jumped ? old.phi + rate * motion.dt - motion.phi
                            : kept_offset(old.offset, motion.phi, motion.keep);
   s.phi = motion.phi + s.offset;
   if (!(s.phi > 0)) s.phi = 0;
   const double elastic = p.normal * s.phi;
-  const double damped = elastic + p.damping * closing;
-  const double pressing = s.phi > 0 && damped > 0 ? damped : 0;  // eq:contact-1
+  const double damped = elastic + p.damping * rate;
+  const double pressing = s.phi > 0 && damped > 0 ? motion.slope * damped : 0;  // eq:contact-1
 
   Vec<D> dragging = Vec<D>::zero(), sticking = Vec<D>::zero();
   if (p.friction > 0) {
@@ -98,7 +100,7 @@ ContactResponse<D> contact_response(const ContactParameters& p, const ContactSta
     r.friction = 0.5 * p.tangential * dot(before + s.slip, e - s.slip);
   }
   s.force = n * pressing - dragging;  // eq:contact-5
-  s.viscous = n * (pressing - elastic) - sticking;
+  s.viscous = n * (pressing - motion.slope * elastic) - sticking;
   s.stored = 0.5 * (elastic * s.phi + p.tangential * norm2(s.slip));
   const Vec<D> way = motion.velocity * motion.dt;
   r.viscous = -0.5 * dot(old.viscous + s.viscous, way);

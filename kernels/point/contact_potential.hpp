@@ -106,33 +106,39 @@ Vec<D> gradient_in_space(const Mat<D>& inverse_edges, const double (&product)[D]
 }
 
 /// The mean of unit gradients is the shorter the more they differ: cos(a / 2) where two faces meet
-/// at
-/// an angle a. Shorter than this (a above 50 degrees) the node is a corner that nobody meant to be
-/// round, and is left unsmoothed.
+/// at an angle a. Shorter than this (a above 50 degrees) the node is a corner that nobody meant to
+/// be round, and is left unsmoothed.
 inline constexpr double kSharp = 0.9;
 
-/// Shorter than this, the smooth gradient says nothing (the middle of a thin strip, say).
+/// Shorter than this, a gradient says nothing (in the middle of a thin strip, say).
 inline constexpr double kShortGradient = 0.2;
 
-/// Outward normal of the target at the point. `smooth` false gives the exact gradient of phi in the
-/// element. When
-/// both gradients are too short, `instead` (the reversed normal of the contactor's face).
+/// How phi falls at a point.
+template <int D>
+struct ContactDirection {
+  Vec<D> normal;  ///< of the target, outwards
+  double slope;   ///< length of the gradient, 1 in the reference configuration of a flat surface
+};
+
+/// Along the smooth gradient, or (`smooth` false) along the exact gradient of phi in the element.
+/// When both are too short, along `instead` (the reversed normal of the contactor's face).
 template <int D>
 KOKKOS_FUNCTION
-Vec<D> contact_normal(const ContactPotential<D>& potential, const double (&l)[D + 1],
-                      const double (&edge)[D], const Mat<D>& inverse_edges, bool smooth,
-                      const Vec<D>& instead) {
+ContactDirection<D> contact_direction(const ContactPotential<D>& potential,
+                                      const double (&l)[D + 1], const double (&edge)[D],
+                                      const Mat<D>& inverse_edges, bool smooth,
+                                      const Vec<D>& instead) {
   if (smooth) {
     double product[D];
     potential.smooth(l, edge, product);
     const Vec<D> g = gradient_in_space<D>(inverse_edges, product);
     const double length = norm(g);
-    if (length >= kShortGradient) return g * (-1 / length);
+    if (length >= kShortGradient) return {g * (-1 / length), length};
   }
   const Vec<D> g = gradient_in_space<D>(inverse_edges, edge);
   const double length = norm(g);
-  if (length >= kShortGradient) return g * (-1 / length);
-  return instead;
+  if (length >= kShortGradient) return {g * (-1 / length), length};
+  return {instead, 1};
 }
 
 }  // namespace breccia

@@ -13,8 +13,16 @@ namespace breccia {
 
 namespace {
 
-/// Steps between two looks at the shapes of all elements.
+/// Most steps between two looks at the shapes of all elements, and the strain that may pass in
+/// between: the factors leave room for it.
 constexpr std::int64_t kRenewal = 50;
+constexpr double kUnseenStrain = 0.02;
+
+std::int64_t steps_to_next(const StableStep& now, double dt) {
+  const double strain = now.strain_rate * dt;  // per step
+  if (!(strain * kRenewal > kUnseenStrain)) return kRenewal;
+  return std::max<std::int64_t>(1, static_cast<std::int64_t>(kUnseenStrain / strain));
+}
 
 /// Steps between two looks while faces break all the time and the limit has settled. A face that is
 /// inserted in between may be stiffer than the stiffest so far; the factor for springs leaves a
@@ -64,7 +72,7 @@ void Simulation<D>::start() {
   clock_.dt = fixed_step_ > 0 ? fixed_step_ : first.dt;
   record(first);
   model_.step_is_stale = false;
-  next_renewal_ = kRenewal;
+  next_renewal_ = steps_to_next(first, clock_.dt);
   kinetic_start_ = motion_->kinetic_energy(model_);
   Ledger ledger;
   for (const auto& module : modules_) module->book(model_, ledger);
@@ -74,7 +82,8 @@ void Simulation<D>::start() {
 template <int D>
 StableStep Simulation<D>::stable(bool renew) {
   const auto nodes = static_cast<std::size_t>(model_.store.capacity(Entity::node));
-  const bool springs = modules_.size() > 2;
+  const bool springs = std::any_of(modules_.begin(), modules_.end(),
+                                   [](const auto& module) { return module->has_springs(); });
   if (springs && stiffness_.extent(0) < nodes)
     stiffness_ = Array<double>("breccia::motion::stiffness", nodes);
   if (springs) {
@@ -95,7 +104,7 @@ void Simulation<D>::choose_step() {
   current_tally = nullptr;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   plan_.book("motion", seconds.count(), tally.launches);
-  if (renew) next_renewal_ = clock_.step + kRenewal;
+  if (renew) next_renewal_ = clock_.step + steps_to_next(now, clock_.dt);
   if (now.dt > 0.99 * clock_.dt) next_look_ = clock_.step + kLook;
   model_.step_is_stale = false;
   if (fixed_step_ > 0) {
@@ -186,6 +195,27 @@ Counts Simulation<D>::counts() {
   return counts;
 }
 
+namespace {
+
+void archive_text(Archive& archive, std::string_view name, std::string& text) {
+  std::vector<std::int64_t> letters(text.begin(), text.end());
+  archive.integers(name, letters);
+  if (archive.loading()) text.assign(letters.begin(), letters.end());
+}
+
+/// What the run has cost before it was interrupted counts on.
+void archive_costs(Archive& archive, Plan& plan) {
+  plan.book("output", 0, 0);
+  const std::vector<Cost> costs = plan.costs();
+  for (Cost cost : costs) {
+    archive.number("cost." + cost.effect + ".seconds", cost.seconds);
+    archive.integer("cost." + cost.effect + ".launches", cost.launches);
+    if (archive.loading()) plan.book(cost.effect, cost.seconds, cost.launches);
+  }
+}
+
+}  // namespace
+
 template <int D>
 void Simulation<D>::archive(Archive& archive) {
   archive.integer("clock.step", clock_.step);
@@ -194,6 +224,8 @@ void Simulation<D>::archive(Archive& archive) {
   archive.number("clock.dt_before", clock_.dt_before);
   archive.number("step.min", record_.min);
   archive.number("step.max", record_.max);
+  archive_text(archive, "step.set_by", record_.set_by);
+  archive_costs(archive, plan_);
   archive.integer("step.next_renewal", next_renewal_);
   archive.integer("step.next_look", next_look_);
   archive.integer("model.splits", model_.splits);

@@ -33,6 +33,8 @@ class Module {
   /// Adds the stiffness of its springs, each counted twice at both ends (|a - b|^2 <= 2 a^2 +
   /// 2 b^2), to each node, N/m; the stable step is 2 / sqrt of the largest nodal rate.
   virtual void add_stiffness(Model<D>&, const Array<double>& /*stiffness*/) const {}
+  /// Whether it has any springs to add; else no stiffness is kept at the nodes.
+  virtual bool has_springs() const { return false; }
 
   /// Books its energies at t^n.
   virtual void book(Model<D>&, Ledger&) const {}

@@ -32,7 +32,7 @@ FractureWorld<D> block(const std::string& law) {
   if constexpr (D == 2)
     return FractureWorld<2>(block_scene(2, "cross", "[20, 20]", "[10e-3, 10e-3]", law));
   else
-    return FractureWorld<3>(block_scene(3, "kuhn", "[10, 10, 10]", "[5e-3, 5e-3, 5e-3]", law));
+    return FractureWorld<3>(block_scene(3, "kuhn", "[6, 6, 6]", "[3e-3, 3e-3, 3e-3]", law));
 }
 
 /// Momentum and kinetic energy of the velocities that stand in the fields.
@@ -58,7 +58,7 @@ void check_insertion(const std::string& alpha, double speed) {
   world.start();
   set_waves(world, speed);
   double jump = 0, naive = 0, largest = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 300; ++i) {
     world.forces();
     const auto before = world.corner_acceleration();
     const auto moving = motion_of(world);
@@ -147,8 +147,8 @@ void check_breaking(const Breaking& out) {
 TEST(FractureWave, BooksOfABreakingBlock2d) {
   for (const std::string more : {"", "softening = \"z_curve\"\ncriterion = \"elliptic\"\n"}) {
     SCOPED_TRACE(more);
-    const Breaking coarse = break_block<2>(20, 1, 6e-6, more);
-    const Breaking fine = break_block<2>(20, 0.5, 6e-6, more);
+    const Breaking coarse = break_block<2>(20, 1, 3e-6, more);
+    const Breaking fine = break_block<2>(20, 0.5, 3e-6, more);
     check_breaking(coarse);
     check_breaking(fine);
     EXPECT_LT(coarse.worst_2, 0.04);

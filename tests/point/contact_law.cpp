@@ -20,7 +20,7 @@ struct Bounce {
 
   ContactResponse<2> respond(double dt) const {
     return contact_response(law, state,
-                            ContactMotion<2>{-x[1], {{0, 1}}, v, dt, 0.9, /*jumped=*/false});
+                            ContactMotion<2>{-x[1], {{0, 1}}, 1, v, dt, 0.9, /*jumped=*/false});
   }
 
   bool touching() const { return x[1] < 0; }
@@ -70,7 +70,7 @@ TEST(ContactLaw, RestitutionFollowsDamping) {
 
 TEST(ContactLaw, NeverPulls) {
   const ContactParameters law{1.0, 0.0, 10.0, 0.0, 0.0};
-  const ContactMotion<2> leaving{0.1, {{0, 1}}, {{0, 5}}, 0.01, 0.9, false};
+  const ContactMotion<2> leaving{0.1, {{0, 1}}, 1, {{0, 5}}, 0.01, 0.9, false};
   const auto r = contact_response(law, ContactState<2>(), leaving);
   EXPECT_EQ(r.next.force[1], 0.0);
   EXPECT_EQ(r.next.force[0], 0.0);
@@ -98,7 +98,7 @@ TEST(ContactLaw, SlidingStops) {
   b.v = {{2, 0}};
   b.x = {{0, -g / k}};
   b.state =
-      contact_response(b.law, ContactState<2>(), {g / k, {{0, 1}}, b.v, 0.0, 0.9, false}).next;
+      contact_response(b.law, ContactState<2>(), {g / k, {{0, 1}}, 1, b.v, 0.0, 0.9, false}).next;
   const double dt = 2e-5;
   for (int i = 0; i < 40000; ++i) b.step(dt, {{0, -g}});
   EXPECT_NEAR(b.x[0], 0.679579, 0.679579 * 2e-3);
@@ -137,7 +137,7 @@ TEST(ContactLaw, BookingsAreTheWork) {
     const Vec<2> n{{std::sin(0.3 * std::sin(t)), std::cos(0.3 * std::sin(t))}};
     const Vec<2> v{{std::cos(1.7 * t), 0.4 * std::sin(2.3 * t)}};
     const double phi = 1 + 0.9 * std::cos(t);
-    const auto r = contact_response(law, state, {phi, n, v, dt, 0.9, i % 100 == 50});
+    const auto r = contact_response(law, state, {phi, n, 1, v, dt, 0.9, i % 100 == 50});
     const Vec<2> mean = (state.force + r.next.force) * 0.5;
     work -= dot(mean, v) * dt;
     booked += r.friction + r.viscous + r.numeric + r.next.stored - state.stored;
@@ -154,7 +154,7 @@ TEST(ContactLaw, BookingsAreTheWork) {
 TEST(ContactLaw, JumpFades) {
   const ContactParameters law{1.0, 0.0, 0.0, 0.0, 0.0};
   ContactState<2> state;
-  const ContactMotion<2> before{1.0, {{0, 1}}, {{0, 0}}, 0.1, 0.5, false};
+  const ContactMotion<2> before{1.0, {{0, 1}}, 1, {{0, 0}}, 0.1, 0.5, false};
   state = contact_response(law, state, before).next;
   ContactMotion<2> after = before;
   after.phi = 0.2;

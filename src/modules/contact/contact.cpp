@@ -39,11 +39,12 @@ void Contact<D>::read_tables(const Model<D>& model) {
   const std::size_t n = materials.size();
   std::vector<double> friction(n * n, contact.number("friction"));
   for (const Settings& pair : contact.list("pair")) {
-    const auto& names = pair.texts("between");
+    const std::string &first = pair.texts("between").front(),
+                      &second = pair.texts("between").back();
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)
-        if ((materials[i].name == names[0] && materials[j].name == names[1]) ||
-            (materials[i].name == names[1] && materials[j].name == names[0]))
+        if ((materials[i].name == first && materials[j].name == second) ||
+            (materials[i].name == second && materials[j].name == first))
           friction[i * n + j] = pair.number("friction");
   }
   rubs_ = std::any_of(friction.begin(), friction.end(), [](double mu) { return mu > 0; });
@@ -72,6 +73,9 @@ void Contact<D>::bind(Model<D>& model) {
   read_tables(model);
   lists_.prepare(model, model.scene->at("contact").number("skin"));
   lists_.start(model, rule_);
+  // What overlaps at the start is stored from the start, not made.
+  act(model, Clock{});
+  Kokkos::deep_copy(lost_, 0.0);
 }
 
 template <int D>

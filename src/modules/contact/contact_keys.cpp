@@ -11,9 +11,9 @@ void check_contact_rules(const Settings& scene, Problems& problems) {
     problems.add(contact.error("", "3D contact follows in a later release",
                                "leave [contact] out, or make the scene two-dimensional"));
   for (const Settings& pair : contact.list("pair"))
-    if (pair.texts("between").size() != 2)
+    if (pair.texts("between").empty() || pair.texts("between").size() > 2)
       problems.add(pair.error("between", "a pair has two materials",
-                              "write [\"a\", \"b\"], or [\"a\", \"a\"] for a against itself"));
+                              "write [\"a\", \"b\"], or [\"a\"] for a against itself"));
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ void declare_contact_keys(Schema& schema) {
       .required()
       .names_one_of("material")
       .example("[\"steel\", \"granite\"]")
-      .doc("The two materials.");
+      .doc("The two materials, or one for a material against itself.");
   pair.number("friction", unit::none)
       .at_least(0)
       .required()

@@ -12,6 +12,15 @@
 
 namespace breccia {
 
+namespace {
+
+void add_to(const Array<double>& sum, const Array<double>& more, Index n) {
+  for_each(
+      "breccia::fracture::add_stiffness", n, KOKKOS_LAMBDA(Index i) { sum(i) += more(i); });
+}
+
+}  // namespace
+
 template <int D>
 bool Fracture<D>::wanted(const Settings& scene) {
   return !scene.children("fracture").empty() || !scene.list("interface").empty();
@@ -39,6 +48,7 @@ void Fracture<D>::declare(Model<D>& model) {
   s.add<InterfaceStates<D>>(key());
   s.add<InterfaceEnergies<D>>(key());
   s.add<InterfacePairForce<D>>(key());
+  s.add<InterfaceStiffness>(key());
   if (contact_follows_) s.add<InterfaceSlip<D>>(key());
 }
 
@@ -67,6 +77,8 @@ void Fracture<D>::resume(Model<D>& model) {
   z_curve_ = to_device("breccia::fracture::z_curve", z_curve);
   insertion_.prepare(model, laws_);
   for (Block& block : model.blocks) block.watch = watch_for(laws_, block.material);
+  // A checkpoint holds neither the stiffness of the nodes nor the lists; the next forces make them.
+  Kokkos::deep_copy(insertion_.touched(), std::uint8_t{1});
   lists_are_stale_ = true;
 }
 
@@ -125,8 +137,11 @@ void Fracture<D>::forces(Model<D>& model, const Clock& clock) {
 template <int D>
 void Fracture<D>::retire(Model<D>& model) {
   const Store& s = model.store;
-  retire_interfaces<D>(s.count(Entity::interface), s.get<InterfaceLife>(),
-                       s.get<InterfacePairForce<D>>());
+  retire_interfaces<D>(
+      s.count(Entity::interface),
+      {face_map<D>(s), s.get<InterfaceRecords>(), s.get<ElementNodes<D>>(), s.get<NodeFamily>(),
+       s.get<InterfaceLife>(), s.get<InterfacePairForce<D>>(), insertion_.touched()});
+  insertion_.renew_stiffness(model);
   rebuild(model);
   lists_are_stale_ = false;
 }
@@ -142,10 +157,9 @@ template <int D>
 void Fracture<D>::act(const Model<D>& model, const Clock& clock) const {
   const Store& s = model.store;
   InterfaceForceIn<D> in;
-  in.faces = face_map<D>(s);
-  in.element_nodes = s.get<ElementNodes<D>>();
   in.x = s.get<NodePosition<D>>();
   in.list = lists_.list();
+  in.nodes = lists_.nodes();
   in.record = s.get<InterfaceRecords>();
   in.active = s.get<InterfaceActive<D>>();
   in.rate = clock.dt_before > 0 ? 1 / clock.dt_before : 0;
@@ -167,8 +181,8 @@ void Fracture<D>::act(const Model<D>& model, const Clock& clock) const {
 template <int D>
 void Fracture<D>::book_forces(const Model<D>& model) const {
   const Store& s = model.store;
-  InterfaceBooks<D>{interface_map<D>(s)}.forces(s.get<InterfacePairForce<D>>(), lists_.elements(),
-                                                lists_.element_count(), s.get<InterfaceForce<D>>());
+  book_pair_forces<D>(lists_.elements(), lists_.element_count(), lists_.sources(),
+                      s.get<InterfacePairForce<D>>(), s.get<InterfaceForce<D>>());
 }
 
 /// Faces whose corners have all broken in this step are released; interfaces that leave do so
@@ -198,9 +212,7 @@ template <int D>
 void Fracture<D>::add_stiffness(Model<D>& model, const Array<double>& stiffness) const {
   const Store& s = model.store;
   if (s.count(Entity::interface) == 0) return;
-  InterfaceBooks<D>{interface_map<D>(s)}.stiffness(model.nodes(), s.get<NodeCorners>(),
-                                                   s.get<CornerList>(), s.get<NodeFlags>(),
-                                                   node_flag::interface, stiffness);
+  add_to(stiffness, s.get<InterfaceStiffness>(), model.nodes());
 }
 
 template <int D>

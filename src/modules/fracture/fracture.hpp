@@ -24,6 +24,7 @@ class Fracture final : public Module<D> {
   void resume(Model<D>& model) override;
   void enlist(Model<D>& model, Plan& plan) override;
   void add_stiffness(Model<D>& model, const Array<double>& stiffness) const override;
+  bool has_springs() const override { return true; }
   void book(Model<D>& model, Ledger& ledger) const override;
   void observe(Model<D>& model, const Clock& clock, Moment moment, Row& row) override;
   void draw(Model<D>& model, Picture& picture) const override;

@@ -44,4 +44,10 @@ struct InterfacePairForce {
                                   "force on the left corner, the right one gets the opposite"};
 };
 
+struct InterfaceStiffness {
+  using View = Array<double>;
+  static constexpr FieldInfo info{"interface_stiffness", Entity::node, "N/m", Restart::no,
+                                  "twice the stiffness of the interface springs at the node"};
+};
+
 }  // namespace breccia

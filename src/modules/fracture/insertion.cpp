@@ -5,6 +5,7 @@
 #include "loops/compact.hpp"
 #include "loops/face_insertion.hpp"
 #include "loops/face_onset.hpp"
+#include "loops/interface_books.hpp"
 #include "loops/star_balance.hpp"
 #include "modules/fracture/fracture_fields.hpp"
 #include "modules/fracture/interface_lists.hpp"
@@ -139,12 +140,31 @@ void Insertion<D>::grow_nodes(Model<D>& model, Index needed) const {
 }
 
 template <int D>
-void Insertion<D>::split(Model<D>& model) {
-  Store& s = model.store;
-  const Index families = s.count(Entity::family);
+void Insertion<D>::list_touched(const Model<D>& model) {
+  const Index families = model.store.count(Entity::family);
   make_room(work_.family, "breccia::fracture::touched_families", families);
   work_.families = compact("breccia::fracture::touched_families", touched_, families, work_.family);
   Kokkos::deep_copy(touched_, std::uint8_t{0});
+}
+
+template <int D>
+void Insertion<D>::sum_stiffness(const Model<D>& model) const {
+  const Store& s = model.store;
+  InterfaceBooks<D>{interface_map<D>(s)}.stiffness(
+      work_.family, work_.families, s.get<FamilyCorners>(), s.get<CornerList>(),
+      s.get<ElementNodes<D>>(), s.get<InterfaceStiffness>());
+}
+
+template <int D>
+void Insertion<D>::renew_stiffness(const Model<D>& model) {
+  list_touched(model);
+  sum_stiffness(model);
+}
+
+template <int D>
+void Insertion<D>::split(Model<D>& model) {
+  Store& s = model.store;
+  list_touched(model);
   make_room(work_.begin, "breccia::fracture::star_begin", work_.families);
   make_room(work_.fresh, "breccia::fracture::star_fresh", work_.families);
   Stars<D> stars{star_map(s), work_};
@@ -164,6 +184,7 @@ void Insertion<D>::split(Model<D>& model) {
   stars.map = star_map(s);
   stars.relabel({stress_of(model), density_}, s.get<NodeMass>(), s.get<NodeFlags>(),
                 node_flag::interface);
+  sum_stiffness(model);
   ++model.splits;
   model.step_is_stale = true;
 }

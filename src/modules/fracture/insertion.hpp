@@ -21,9 +21,16 @@ class Insertion {
   /// it is zero.
   Index check(Model<D>& model);
 
+  /// Flags of families whose interfaces have changed; `renew_stiffness` looks at these and clears
+  /// them.
+  const Array<std::uint8_t>& touched() const { return touched_; }
+  void renew_stiffness(const Model<D>& model);
+
  private:
   void insert(Model<D>& model, const Array<Index>& faces, Index count);
   void split(Model<D>& model);
+  void list_touched(const Model<D>& model);
+  void sum_stiffness(const Model<D>& model) const;
   void balance(const Model<D>& model, const Stars<D>& stars) const;
   void grow_nodes(Model<D>& model, Index needed) const;
   StarMap<D> star_map(const Store& store) const;

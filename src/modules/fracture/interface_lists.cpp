@@ -30,14 +30,14 @@ void mark_law(const InterfaceMap<D>& map, Index law, Index count, const Array<st
       });
 }
 
-/// 1 at the elements of the listed interfaces. Several write the same one.
+/// 1 at the elements of the listed interfaces.
 void mark_elements(const ConstRanges& faces, const Array<InterfaceRecord>& record,
                    const Array<Index>& list, Index count, const Array<std::uint8_t>& mark) {
   for_each(
       "breccia::fracture::mark_elements", count, KOKKOS_LAMBDA(Index k) {
         const Index face = record(list(k)).face;
-        Kokkos::atomic_store(&mark(faces(face, 0)), std::uint8_t{1});
-        Kokkos::atomic_store(&mark(faces(face, 1)), std::uint8_t{1});
+        raise(mark, faces(face, 0));
+        raise(mark, faces(face, 1));
       });
 }
 
@@ -62,6 +62,11 @@ void InterfaceLists<D>::rebuild(const Model<D>& model, std::size_t laws) {
   mark_elements(s.get<FaceElements>(), s.get<InterfaceRecords>(), list_, size(), element_mark_);
   element_count_ =
       compact("breccia::fracture::list_elements", element_mark_, model.elements(), elements_);
+  make_room(nodes_, "breccia::fracture::pair_nodes", size());
+  make_room(sources_, "breccia::fracture::pair_sources", element_count_);
+  const InterfaceTables<D> tables{interface_map<D>(s)};
+  tables.fill_nodes(list_, size(), s.get<ElementNodes<D>>(), nodes_);
+  tables.fill_sources(elements_, element_count_, sources_);
 }
 
 template class InterfaceLists<2>;

@@ -1,4 +1,5 @@
 #pragma once
+#include "loops/interface_tables.hpp"
 #include "modules/fracture/fracture_fields.hpp"
 #include "step/model.hpp"
 
@@ -19,10 +20,15 @@ class InterfaceLists {
   Index size() const { return begin_.empty() ? 0 : begin_.back(); }
   const Array<Index>& elements() const { return elements_; }
   Index element_count() const { return element_count_; }
+  /// Nodes per place in list(), sources of forces per place in elements().
+  const PairNodes<D>& nodes() const { return nodes_; }
+  const PairSources<D>& sources() const { return sources_; }
 
  private:
   Array<Index> list_, elements_;
   Array<std::uint8_t> mark_, element_mark_;
+  PairNodes<D> nodes_;
+  PairSources<D> sources_;
   std::vector<Index> begin_;
   Index element_count_ = 0;
 };

@@ -127,18 +127,14 @@ void Motion<D>::resume(Model<D>& model) {
 template <int D>
 void Motion<D>::size_work(const Model<D>& model) {
   const auto chunks = chunks_of(model.store.capacity(Entity::node));
-  if (static_cast<Index>(work_.extent(0)) < chunks)
+  if (work_.extent(0) == 0)
+    work_ = ChunkSums<kWorks>("breccia::motion::work", static_cast<std::size_t>(chunks));
+  else if (static_cast<Index>(work_.extent(0)) < chunks)
     Kokkos::resize(work_, static_cast<std::size_t>(chunks));
-  if (wave_speed_.extent(0) > 0) return;
-  std::vector<double> speed, damping, density;
-  for (std::size_t m = 0; m < model.materials.size(); ++m) {
-    density.push_back(model.materials[m].density);
-    damping.push_back(model.materials[m].damping);
-    speed.push_back(std::sqrt(model.p_wave_modulus(static_cast<Index>(m)) / density.back()));
-  }
-  wave_speed_ = to_device("breccia::motion::wave_speed", speed);
+  if (damping_.extent(0) > 0) return;
+  std::vector<double> damping;
+  for (const Material& material : model.materials) damping.push_back(material.damping);
   damping_ = to_device("breccia::motion::damping", damping);
-  density_ = to_device("breccia::motion::density", density);
 }
 
 template <int D>
@@ -185,11 +181,11 @@ StableStep Motion<D>::stable(const Model<D>& model, const Array<double>& stiffne
   in.nodes = model.nodes();
   in.element_nodes = s.get<ElementNodes<D>>();
   in.x = s.get<NodePosition<D>>();
+  in.v = s.get<NodeVelocity<D>>();
   in.reference = s.get<ElementReference<D>>();
   in.material = s.get<ElementMaterial>();
-  in.wave_speed = wave_speed_;
+  in.lame = s.get<MaterialLame>();
   in.damping = damping_;
-  in.density = density_;
   in.corners = s.get<NodeCorners>();
   in.corner_list = s.get<CornerList>();
   in.mass = s.get<NodeMass>();

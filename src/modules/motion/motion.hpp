@@ -45,7 +45,7 @@ class Motion final : public Module<D> {
   std::vector<double> initial_;
   std::vector<double> volume_;  ///< m3 of each element, while the start state is made
   ChunkSums<kWorks> work_;
-  Array<double> wave_speed_, damping_, density_;
+  Array<double> damping_;  ///< of each material
 };
 
 }  // namespace breccia

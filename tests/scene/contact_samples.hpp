@@ -1,0 +1,69 @@
+#pragma once
+#include "harness/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace breccia {
+
+/// Scenes of a few bodies in contact, and what is measured on them.
+struct Slab {
+  std::string name, corner, size, cells;
+  std::string velocity = "[0, 0]", spin = "0";
+  std::string pattern = "cross";
+
+  std::string text() const {
+    return fmt::format(
+        "[[body]]\nname = \"{}\"\nmaterial = \"m\"\nvelocity = {}\nspin = \"{} rad/s\"\n"
+        "shape = {{ rectangle = {{ corner = {}, size = {} }} }}\n"
+        "mesh = {{ generator = \"structured\", cells = {}, pattern = \"{}\", jitter = 0.2 }}\n",
+        name, velocity, spin, corner, size, cells, pattern);
+  }
+};
+
+inline std::string contact_scene(const std::vector<Slab>& slabs, const std::string& material,
+                                 const std::string& contact, const std::string& run = {},
+                                 const std::string& more = {}) {
+  std::string text = "[run]\ndimension = 2\nduration = 1\n" + run + "\n";
+  for (const Slab& slab : slabs) text += slab.text();
+  return text + "[material.m]\n" + material + "\n[contact]\n" + contact + "\n" + more;
+}
+
+/// Sums over the nodes of one body (or of all, body < 0) at t^(n-1/2).
+struct Momentum {
+  double mass = 0, angular = 0, size = 0;  ///< size: sum of |m v|
+  Vec<2> linear = Vec<2>::zero(), centre = Vec<2>::zero();
+  Vec<2> velocity() const { return linear * (1 / mass); }
+};
+
+inline Momentum momentum(SceneWorld<2>& world, const std::string& body = {}) {
+  const auto x = world.host<NodePosition<2>>();
+  const auto v = world.host<NodeVelocity<2>>();
+  const auto m = world.host<NodeMass>();
+  const auto& mesh = world.model().mesh;
+  std::vector<Index> nodes;
+  if (body.empty())
+    for (Index n = 0; n < world.model().nodes(); ++n) nodes.push_back(n);
+  else
+    nodes = find_region(mesh, body)->points;
+  Momentum sum;
+  for (const Index n : nodes) {
+    const Vec<2> at{{x(n, 0), x(n, 1)}}, p = Vec<2>{{v(n, 0), v(n, 1)}} * m(n);
+    sum.mass += m(n);
+    sum.linear += p;
+    sum.size += norm(p);
+    sum.centre += at * m(n);
+    sum.angular += cross(at, p);
+  }
+  sum.centre *= 1 / sum.mass;
+  return sum;
+}
+
+inline double total_energy(const Ledger& ledger) {
+  return ledger.kinetic + ledger.stored();
+}
+
+}  // namespace breccia
