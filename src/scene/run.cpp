@@ -145,7 +145,8 @@ class Run {
 
   Results results(const Report& report) const {
     Results r{recorder_->columns(), recorder_->history(), {}};
-    const MainCrack crack = find_main_crack(recorder_->last_cracks(), D);
+    const MainCrack crack =
+        find_main_crack<D>(recorder_->last_cracks(), simulation_.model().mesh.point);
     r.numbers = {{"steps", static_cast<double>(report.steps)},
                  {"elements", static_cast<double>(report.elements)},
                  {"nodes", static_cast<double>(report.nodes)},

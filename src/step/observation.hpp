@@ -1,4 +1,6 @@
 #pragma once
+#include "base/index.hpp"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -36,6 +38,7 @@ struct PictureField {
 /// A surface inside the solid that opened: an inserted or released face, for pictures.
 struct CrackFace {
   double point[3][3];  ///< corners of the mid-surface: 2 (2D) or 3 (3D) points
+  Index family[3];     ///< points of the mesh that these corners were
   double damage, opening, slip;
   double mode;  ///< 1 tension ... 2 shear
   int status;   ///< face_status

@@ -26,6 +26,7 @@ struct BlockScene {
   double density = 1000, young = 1e9, poisson = 0.3, damping = 0;
   std::string plane = "strain";
   std::string run = "duration = 1";  ///< further keys of [run]
+  std::string body = {};             ///< further keys of the body
   std::string more = {};             ///< further sections
 
   std::string text() const {
@@ -41,11 +42,11 @@ struct BlockScene {
     }
     return fmt::format(
         "[run]\ndimension = {}\n{}{}\n"
-        "[[body]]\nname = \"b\"\nmaterial = \"m\"\n{}\n{}\n"
+        "[[body]]\nname = \"b\"\nmaterial = \"m\"\n{}\n{}\n{}\n"
         "[material.m]\ndensity = {:.17g}\ndamping = {:.17g}\n"
         "elastic = {{ young = {:.17g}, poisson = {:.17g} }}\n{}\n",
-        dimension, dimension == 2 ? "plane = \"" + plane + "\"\n" : "", run, shape, mesh, density,
-        damping, young, poisson, more);
+        dimension, dimension == 2 ? "plane = \"" + plane + "\"\n" : "", run, body, shape, mesh,
+        density, damping, young, poisson, more);
   }
 };
 

@@ -13,6 +13,7 @@ struct CrackLook {
   InterfaceMap<D> map;
   ConstConnectivity<D> nodes;
   ConstVectors<D> x;
+  ConstArray<Index> family;
   ConstArray<std::uint8_t> status;
   ConstCornerStates<D> state;
   ConstCornerEnergies<D> energy;
@@ -67,6 +68,8 @@ struct CrackLook {
     CrackFace face{};
     for (int c = 0; c < D; ++c) {
       for (int d = 0; d < D; ++d) face.point[c][d] = m[c][d];
+      const auto at = map.faces.left(r.face, c);
+      face.family[c] = family(nodes(at.element, at.node));
       const Vec<D> jump = frame.to_local(face_point(map.faces, nodes, x, r.face, 1, c) -
                                          face_point(map.faces, nodes, x, r.face, 0, c));
       double slip = 0;
@@ -85,8 +88,9 @@ struct CrackLook {
 template <int D>
 CrackLook<D> look_at(const Model<D>& model) {
   const Store& s = model.store;
-  return {interface_map<D>(s), s.get<ElementNodes<D>>(),    s.get<NodePosition<D>>(),
-          s.get<FaceStatus>(), s.get<InterfaceStates<D>>(), s.get<InterfaceEnergies<D>>()};
+  return {interface_map<D>(s),          s.get<ElementNodes<D>>(), s.get<NodePosition<D>>(),
+          s.get<NodeFamily>(),          s.get<FaceStatus>(),      s.get<InterfaceStates<D>>(),
+          s.get<InterfaceEnergies<D>>()};
 }
 
 }  // namespace
