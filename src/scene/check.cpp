@@ -4,8 +4,10 @@
 #include "mesh/quality.hpp"
 #include "scene/catalog.hpp"
 #include "scene/commands.hpp"
+#include "scene/recorder.hpp"
 #include "scene/scene.hpp"
 #include "scene/simulation.hpp"
+#include "scene/verdict.hpp"
 
 #include <fmt/format.h>
 
@@ -77,6 +79,7 @@ template <int D>
 int check(const Scene& scene) {
   Simulation<D> simulation(scene.settings, scene.folder);
   simulation.start();
+  check_checks(scene.settings, history_columns(simulation));
   const Model<D>& model = simulation.model();
   std::vector<double> speed;
   for (std::size_t b = 0; b < model.mesh.body_names.size(); ++b) {

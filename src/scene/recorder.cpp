@@ -17,7 +17,38 @@ constexpr double kDefaultRows = 1000;
 /// Round-off of summed steps: an instant that is this near (in steps) counts as reached.
 constexpr double kNear = 1e-6;
 
+template <int D>
+void observe_before(Simulation<D>& simulation, Row& row, Ledger& ledger) {
+  row.set("time", simulation.clock().time);
+  row.set("step", static_cast<double>(simulation.clock().step));
+  row.set("dt", simulation.clock().dt);
+  simulation.book_before(ledger);
+  for (const auto& module : simulation.modules())
+    module->observe(simulation.model(), simulation.clock(), Moment::before, row);
+}
+
+template <int D>
+void observe_after(Simulation<D>& simulation, Row& row, Ledger& ledger) {
+  simulation.book_after(ledger);
+  row.set("KE", ledger.kinetic);
+  for (const Ledger::Entry& entry : ledger.entries()) row.set(entry.name, entry.joule);
+  row.set("W_ext", ledger.external());
+  row.set("RES_1", ledger.residual_1());
+  row.set("RES_2", ledger.residual_2());
+  for (const auto& module : simulation.modules())
+    module->observe(simulation.model(), simulation.clock(), Moment::after, row);
+}
+
 }  // namespace
+
+template <int D>
+std::vector<std::string> history_columns(Simulation<D>& simulation) {
+  Row row;
+  Ledger ledger;
+  observe_before(simulation, row, ledger);
+  observe_after(simulation, row, ledger);
+  return row.columns();
+}
 
 template <int D>
 Recorder<D>::Recorder(Simulation<D>& simulation, const RunFolder& folder, const Settings& scene)
@@ -87,13 +118,8 @@ template <int D>
 void Recorder<D>::before() {
   if (!due()) return;
   row_.restart_row();
-  row_.set("time", simulation_.clock().time);
-  row_.set("step", static_cast<double>(simulation_.clock().step));
-  row_.set("dt", simulation_.clock().dt);
   ledger_ = Ledger{};
-  simulation_.book_before(ledger_);
-  for (const auto& module : simulation_.modules())
-    module->observe(simulation_.model(), simulation_.clock(), Moment::before, row_);
+  observe_before(simulation_, row_, ledger_);
   if (!frame_due() && !final_) return;
   write_frame();
   ++next_frame_;
@@ -111,14 +137,7 @@ void Recorder<D>::after() {
 
 template <int D>
 void Recorder<D>::write_row() {
-  simulation_.book_after(ledger_);
-  row_.set("KE", ledger_.kinetic);
-  for (const Ledger::Entry& entry : ledger_.entries()) row_.set(entry.name, entry.joule);
-  row_.set("W_ext", ledger_.external());
-  row_.set("RES_1", ledger_.residual_1());
-  row_.set("RES_2", ledger_.residual_2());
-  for (const auto& module : simulation_.modules())
-    module->observe(simulation_.model(), simulation_.clock(), Moment::after, row_);
+  observe_after(simulation_, row_, ledger_);
   if (!history_file_)
     history_file_ = std::make_unique<HistoryWriter>(folder_.history(), row_.columns());
   history_file_->write(row_.values());
@@ -196,6 +215,8 @@ OutputState Recorder<D>::sync() {
   return state;
 }
 
+template std::vector<std::string> history_columns<2>(Simulation<2>&);
+template std::vector<std::string> history_columns<3>(Simulation<3>&);
 template class Recorder<2>;
 template class Recorder<3>;
 

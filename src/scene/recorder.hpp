@@ -12,6 +12,10 @@
 
 namespace breccia {
 
+/// Columns of the history of a simulation that has started.
+template <int D>
+std::vector<std::string> history_columns(Simulation<D>& simulation);
+
 /// Everything a run writes while it runs: history, events, fragments, frames, checkpoints, in
 /// simulated time. Keeps the history in memory for the checks.
 template <int D>

@@ -5,7 +5,6 @@
 #include "scene/commands.hpp"
 #include "scene/cost_sheet.hpp"
 #include "scene/interrupt.hpp"
-#include "scene/main_crack.hpp"
 #include "scene/recorder.hpp"
 #include "scene/scene.hpp"
 #include "scene/verdict.hpp"
@@ -44,6 +43,7 @@ class Run {
     } else {
       // A scene that cannot start must not leave a folder behind.
       simulation_.start();
+      check_checks(scene, history_columns(simulation_));
       folder_ = std::make_unique<RunFolder>(output, existing);
       folder_->write_scene(resolved.str());
     }
@@ -144,25 +144,9 @@ class Run {
   }
 
   Results results(const Report& report) const {
-    Results r{recorder_->columns(), recorder_->history(), {}};
-    const MainCrack crack =
-        find_main_crack<D>(recorder_->last_cracks(), simulation_.model().mesh.point);
-    r.numbers = {{"steps", static_cast<double>(report.steps)},
-                 {"elements", static_cast<double>(report.elements)},
-                 {"nodes", static_cast<double>(report.nodes)},
-                 {"fragments", static_cast<double>(report.fragments)},
-                 {"interfaces.bonded", static_cast<double>(report.interfaces.bonded)},
-                 {"interfaces.inserted", static_cast<double>(report.interfaces.inserted)},
-                 {"interfaces.released", static_cast<double>(report.interfaces.released)},
-                 {"crack.length", crack.length},
-                 {"crack.area", crack.area},
-                 {"crack.angle", crack.angle},
-                 {"crack.x", crack.centre[0]},
-                 {"crack.y", crack.centre[1]},
-                 {"crack.z", crack.centre[2]},
-                 {"res_1", report.res_1},
-                 {"res_2", report.res_2}};
-    return r;
+    return {recorder_->columns(), recorder_->history(),
+            result_numbers(report, find_main_crack<D>(recorder_->last_cracks(),
+                                                      simulation_.model().mesh.point))};
   }
 
   const Settings& scene_;

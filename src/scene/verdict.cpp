@@ -52,7 +52,54 @@ Report::Check judge_one(const Settings& section, const Quantities& quantities) {
   return check;
 }
 
+void check_names(const Settings& check, const char* key, const std::vector<std::string>& known,
+                 Problems& problems) {
+  for (const std::string& name : Expression(check.text(key)).names()) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    problems.add(check.error(key, "this run has no '" + name + "'." + did_you_mean(name, known),
+                             "docs/output.md lists columns and results; sensors add theirs"));
+  }
+}
+
+void check_share(const Settings& check, Problems& problems) {
+  const Expression reference(check.text("reference"));
+  if (!is_share(check.text("tolerance")) || !reference.names().empty()) return;
+  if (reference.evaluate({}) == 0)
+    problems.add(check.error("tolerance", "a share of a reference of 0 allows nothing",
+                             "give the tolerance in the unit of the value"));
+}
+
 }  // namespace
+
+Numbers result_numbers(const Report& report, const MainCrack& crack) {
+  return {{"steps", static_cast<double>(report.steps)},
+          {"elements", static_cast<double>(report.elements)},
+          {"nodes", static_cast<double>(report.nodes)},
+          {"fragments", static_cast<double>(report.fragments)},
+          {"interfaces.bonded", static_cast<double>(report.interfaces.bonded)},
+          {"interfaces.inserted", static_cast<double>(report.interfaces.inserted)},
+          {"interfaces.released", static_cast<double>(report.interfaces.released)},
+          {"crack.length", crack.length},
+          {"crack.area", crack.area},
+          {"crack.angle", crack.angle},
+          {"crack.x", crack.centre[0]},
+          {"crack.y", crack.centre[1]},
+          {"crack.z", crack.centre[2]},
+          {"res_1", report.res_1},
+          {"res_2", report.res_2}};
+}
+
+void check_checks(const Settings& scene, const std::vector<std::string>& columns) {
+  std::vector<std::string> known = columns;
+  for (const auto& [name, value] : result_numbers({}, {})) known.push_back(name);
+  Problems problems;
+  for (const Settings& check : scene.list("check")) {
+    for (const char* key : {"value", "reference", "tolerance"})
+      check_names(check, key, known, problems);
+    check_share(check, problems);
+  }
+  problems.raise();
+}
 
 std::vector<Report::Check> judge(const Settings& scene, const Results& results) {
   const Quantities quantities = quantities_of(results);

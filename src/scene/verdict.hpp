@@ -1,21 +1,31 @@
 #pragma once
 #include "core/settings.hpp"
 #include "io/report.hpp"
+#include "scene/main_crack.hpp"
 
 #include <string>
 #include <vector>
 
 namespace breccia {
 
+using Numbers = std::vector<std::pair<std::string, double>>;
+
 /// What the formulas of [[check]] may speak of: history columns as series, results as numbers.
 struct Results {
   std::vector<std::string> columns;  ///< of the history; the first is time
   std::vector<std::vector<double>> rows;
-  std::vector<std::pair<std::string, double>> numbers;  ///< "fragments", "crack.angle", ...
+  Numbers numbers;  ///< "fragments", "crack.angle", ...
 };
 
-/// Evaluates every [[check]]. A formula that cannot be evaluated fails its check with a note;
-/// the syntax was checked when the scene was read.
+/// Results of a run that are one number each.
+Numbers result_numbers(const Report& report, const MainCrack& crack);
+
+/// Refuses the [[check]]s that speak of what this scene has no column or number for, or that allow
+/// a share of zero.
+/// \throws Error with the lines of all of them.
+void check_checks(const Settings& scene, const std::vector<std::string>& columns);
+
+/// Evaluates every [[check]]. A formula without a value fails its check with a note.
 std::vector<Report::Check> judge(const Settings& scene, const Results& results);
 
 }  // namespace breccia
