@@ -32,14 +32,14 @@ Collision collide(double step, double speed, const std::string& direction) {
   const Momentum start = momentum(world);
   double energy = 0;
   Collision c;
-  while (world.time() < 4e-3 / speed) {
+  run_to(world, 4e-3 / speed, [&] {
     const Ledger ledger = world.step_and_book();
     if (energy == 0) energy = total_energy(ledger);
     c.touched += ledger.value("CT_stored") > 0 ? 1 : 0;
     c.energy_error = std::max(c.energy_error, std::abs(total_energy(ledger) / energy - 1));
     c.elastic = std::max(c.elastic, ledger.value("CT_stored") / energy);
     EXPECT_LT(ledger.residual_1(), 1e-12);
-  }
+  });
   const Momentum end = momentum(world);
   c.linear = norm(end.linear - start.linear) / start.size;
   c.angular = std::abs(end.angular - start.angular) / (start.size * 0.3);
@@ -67,17 +67,23 @@ TEST(ContactCollision, ObliqueKeepsMomentaAndEnergy) {
   }
 }
 
-// Two equal bars exchange their velocities (V-007); the meshes do not match.
+// Two equal bars exchange their velocities (V-007); the meshes do not match. A front that rises
+// within an element leaves a wake that trembles on, in any mesh of lumped masses: a chain of masses
+// with this contact (5 M / h) keeps 1 - e = 0.0108, 0.0077, 0.0055 with 50, 100, 200 masses. One
+// fifth of E / h lets the front rise over some elements, as far as the mesh carries it: 0.0014.
 TEST(ContactCollision, EqualBarsExchangeVelocities) {
   SceneWorld<2> world(
-      contact_scene({{"a", "[0, 0]", "[1, 0.05]", "[100, 5]", "[1, 0]"},
-                     {"b", "[1.0002, 0]", "[1, 0.05]", "[120, 6]", "[0, 0]", "0", "right"}},
+      contact_scene({{"a", "[0, 0]", "[1, 0.05]", "[50, 2]", "[1, 0]"},
+                     {"b", "[1.0002, 0]", "[1, 0.05]", "[60, 3]", "[0, 0]", "0", "right"}},
                     "density = 1000\nelastic = { young = 1e9, poisson = 0 }\n",
-                    "friction = 0\ndamping = 0", "plane = \"stress\""));
+                    "friction = 0\ndamping = 0\nstiffness = \"1e10 Pa/m\"", "plane = \"stress\""));
   world.simulation.start();
-  while (world.time() < 4e-3) world.step();
-  EXPECT_NEAR(momentum(world, "a").velocity()[0], 0.0, 5e-3);
-  EXPECT_NEAR(momentum(world, "b").velocity()[0], 1.0, 5e-3);
+  const Momentum start = momentum(world);
+  run_to(world, 4e-3);
+  const Vec<2> a = momentum(world, "a").velocity(), b = momentum(world, "b").velocity();
+  EXPECT_NEAR(b[0] - a[0], 1.0, 5e-3);
+  EXPECT_LT(norm(momentum(world).linear - start.linear), 1e-12 * start.size);
+  std::printf("1 - e = %.5f\n", 1 - (b[0] - a[0]));
 }
 
 /// Moves a body as a whole, as if it had always been there.
@@ -88,58 +94,69 @@ void shift(SceneWorld<2>& world, const std::string& body, const Vec<2>& by) {
   world.put<NodePosition<2>>(x);
 }
 
-// S-06: overlaps of 10, 50, 90 % of an element at the start. What contact reports as stored comes
-// out as energy, no more; nobody is faster than it allows; nothing is missed.
+// S-06: overlaps of 10, 50, 90 % of an element at the start, and a body wholly inside another. What
+// contact reports as stored comes out as energy, no more; nobody is faster than it allows; nothing
+// is missed. The stiffness is such that elements stay near their shape (pressures of a hundredth of
+// their modulus); with the default, 5 M / h, an overlap of h would be a strain of five.
 TEST(ContactCollision, DeepOverlapReleasesItsPotential) {
   for (const std::string direction : {"conservative", "smooth"})
-    for (const double share : {0.1, 0.5, 0.9}) {
+    for (const double share : {0.1, 0.5, 0.9, 6.0}) {
+      const std::string size = share > 5 ? "[0.1, 0.1]" : "[0.2, 0.2]";
       SceneWorld<2> world(contact_scene(
-          {{"a", "[0, 0]", "[0.4, 0.2]", "[8, 4]"}, {"b", "[0.1, 0.21]", "[0.2, 0.2]", "[5, 5]"}},
-          kSoft, "friction = 0\ndamping = 0\ndirection = \"" + direction + "\"",
-          "step_factor = 0.2"));
+          {{"a", "[0, 0]", "[0.4, 0.4]", "[8, 8]"}, {"b", "[0.11, 0.41]", size, "[4, 4]"}}, kSoft,
+          "friction = 0\ndamping = 0\nstiffness = \"3e8 Pa/m\"\ndirection = \"" + direction +
+              "\""));
       world.simulation.start();
-      shift(world, "b", {{0.0, -0.01 - share * 0.04}});
+      shift(world, "b", {{0.0, -0.01 - share * 0.05}});
       const double stored = world.step_and_book().value("CT_stored");
       EXPECT_GT(stored, 0);
       double error = 0;
       Ledger last;
-      while (world.time() < 3e-3) {
+      run_to(world, 20e-3, [&] {
         last = world.step_and_book();
         error = std::max(error, std::abs(total_energy(last) / stored - 1));
-      }
+      });
+      std::printf("%s, overlap %.1f: stored %.4g J, energy off by %.3g\n", direction.c_str(), share,
+                  stored, error);
       EXPECT_EQ(last.value("CT_stored"), 0) << share;
       EXPECT_LT(error, direction == "smooth" ? 0.02 + 0.1 * share : 0.01) << direction << share;
       const Momentum b = momentum(world, "b");
       EXPECT_LE(norm(b.velocity()), std::sqrt(2 * stored / b.mass));
-      std::printf("%s, overlap %.1f: stored %.4g J, energy off by %.3g\n", direction.c_str(), share,
-                  stored, error);
     }
 }
 
-// A body that goes in deeper than the targets reach is followed there, not lost.
+// A body that goes in deeper than the targets reach is followed there, not lost. Its energy says how
+// deep: the bottom and both sides press with half their stiffness each, upwards all of them.
 TEST(ContactCollision, DeepImpactIsFollowed) {
-  SceneWorld<2> world(contact_scene({{"a", "[0, 0]", "[1, 1]", "[25, 25]"},
-                                     {"b", "[0.45, 1.001]", "[0.1, 0.3]", "[3, 9]", "[0, -60]"}},
-                                    "density = 1000\nelastic = { young = 1e9, poisson = 0 }\n",
-                                    "friction = 0\ndamping = 0\nstiffness = \"6e7 Pa/m\""));
+  constexpr double kStiffness = 3e7, kSpeed = 60, kWidth = 0.1, kHeight = 0.3;
+  SceneWorld<2> world(
+      contact_scene({{"a", "[0, 0]", "[1, 1]", "[25, 25]"},
+                     {"b", "[0.45, 1.001]", "[0.1, 0.3]", "[3, 9]", "[0, -60]"}},
+                    "density = 1000\nelastic = { young = 1e9, poisson = 0 }\n",
+                    fmt::format("friction = 0\ndamping = 0\nstiffness = {}", kStiffness)));
   world.simulation.start();
   double deepest = 0, first = 0;
-  Row row;
   Ledger ledger;
-  while (world.time() < 0.06) {
+  run_to(world, 0.03, [&] {
     ledger = world.step_and_book();
     if (first == 0) first = total_energy(ledger);
-    const auto x = momentum(world, "b").centre;
-    deepest = std::max(deepest, 1.15 - x[1]);
-    if (momentum(world, "b").velocity()[1] > 0 && ledger.value("CT_stored") == 0) break;
-  }
+    deepest = std::max(deepest, 1.15 - momentum(world, "b").centre[1]);
+  });
+  Row row;
   for (const auto& module : world.simulation.modules())
     module->observe(world.model(), world.simulation.clock(), Moment::before, row);
+  const auto energy = [&](double d) {
+    return 0.25 * kStiffness * (kWidth * d * d + 2 * d * d * d / 3);
+  };
+  const double kinetic = 0.5 * 1000 * kWidth * kHeight * kSpeed * kSpeed;
+  std::printf("depth %.3f, energy there %.4f, after %.4f of the first; speed %.3f\n", deepest,
+              energy(deepest) / kinetic, total_energy(ledger) / first,
+              momentum(world, "b").velocity()[1]);
   EXPECT_GT(deepest, 0.16);  // four elements; targets reach three at first
   EXPECT_EQ(row.get("contacts_lost"), 0);
+  EXPECT_EQ(ledger.value("CT_stored"), 0);
   EXPECT_GT(momentum(world, "b").velocity()[1], 30);
   EXPECT_NEAR(ledger.kinetic + ledger.stored() + ledger.dissipated(), first, 0.02 * first);
-  std::printf("depth %.3f, energy %.4f of the first\n", deepest, total_energy(ledger) / first);
 }
 
 // V-054: nodes that move farther than the list covers stop the run; nothing is missed in silence.

@@ -2,6 +2,7 @@
 #include "harness/simulation.hpp"
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
@@ -60,6 +61,21 @@ inline Momentum momentum(SceneWorld<2>& world, const std::string& body = {}) {
   }
   sum.centre *= 1 / sum.mass;
   return sum;
+}
+
+/// Steps to time `end`, `each()` taking one; ends with a failure when the run stops before, or when
+/// its steps have become so small that it would never end.
+template <class Each>
+void run_to(SceneWorld<2>& world, double end, const Each& each) {
+  const double most = 100 + 10 * (end - world.time()) / world.simulation.clock().dt;
+  for (double n = 0; world.time() < end && !::testing::Test::HasFatalFailure(); ++n) {
+    ASSERT_FALSE(world.model().stop.raised) << world.model().stop.cause;
+    ASSERT_LT(n, most) << "steps have become too small";
+    each();
+  }
+}
+inline void run_to(SceneWorld<2>& world, double end) {
+  run_to(world, end, [&] { world.step(); });
 }
 
 inline double total_energy(const Ledger& ledger) {
