@@ -12,7 +12,7 @@ struct InterfaceForceLoop {
   InterfaceForceOut<D> out;
 
   KOKKOS_FUNCTION
-  void operator()(Index k) const {
+  void operator()(Index k, Index& aged) const {
     const Index i = in.list(k);
     const InterfaceRecord& record = in.record(i);
     Vec<D> middle[D], jump[D];
@@ -25,56 +25,55 @@ struct InterfaceForceLoop {
     const Cohesive<D, Softening> law{in.strength, record.springs};
 
     bool broken = true;
-    double nearest = 1e300;
     for (int c = 0; c < D; ++c) {
-      nearest = Kokkos::min(nearest, norm2(jump[c]));
       if (in.active(i, c) == 0) {
         broken = false;
         continue;
       }
-      const auto r = law.respond(out.state(i, c), frame.to_local(jump[c]), in.rate);
-      const Vec<D> force = frame.to_global(r.traction) * (record.area / D);
+      CohesiveState<D>& state = out.state(i, c);
+      const Vec<D> t = law.advance(state, frame.to_local(jump[c]), in.rate, out.energy(i, c));
+      const Vec<D> force = frame.to_global(t) * (record.area / D);
       for (int d = 0; d < D; ++d) out.force(i, c, d) = force[d];
-      broken = broken && r.next.damage >= 1;
-      out.state(i, c) = r.next;
-      add(out.energy(i, c), r.spent);
+      broken = broken && state.damage >= 1;
     }
-    if (broken) age(i, nearest, record.area);
+    if (broken) aged += age(i, jump, record.area);
   }
 
  private:
+  /// A broken pair is done when contact takes it over, or when its corners are a face apart. 1 where
+  /// its life changes.
   KOKKOS_FUNCTION
-  static void add(CornerEnergy& energy, const CohesiveSpent& spent) {
-    energy.tension += spent.tension;
-    energy.shear += spent.shear;
-    energy.friction += spent.friction;
-    energy.viscous += spent.viscous;
-  }
-
-  /// A broken pair is done when contact takes it over, or when its corners are a face apart.
-  KOKKOS_FUNCTION
-  void age(Index i, double nearest, double area) const {
+  Index age(Index i, const Vec<D> (&jump)[D], double area) const {
+    double nearest = norm2(jump[0]);
+    for (int c = 1; c < D; ++c) nearest = Kokkos::min(nearest, norm2(jump[c]));
     const double length = D == 2 ? area / in.thickness : Kokkos::sqrt(2 * area);
     const bool apart = nearest > length * length;
     const std::uint8_t next =
         in.leave_broken || apart ? interface_life::leaving : interface_life::broken;
-    if (out.life(i) < next) out.life(i) = next;
+    if (out.life(i) >= next) return 0;
+    out.life(i) = next;
+    return 1;
   }
 };
 
 }  // namespace
 
 template <int D, class Softening>
-void interface_force(const InterfaceForceIn<D>& in, const InterfaceForceOut<D>& out) {
-  for_each("breccia::fracture::interface_force", in.begin, in.end,
-           InterfaceForceLoop<D, Softening>{in, out});
+Index interface_force(const InterfaceForceIn<D>& in, const InterfaceForceOut<D>& out) {
+  Index aged = 0;
+  if (in.end <= in.begin) return aged;
+  count_launch();
+  Kokkos::parallel_reduce("breccia::fracture::interface_force",
+                          Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(in.begin, in.end),
+                          InterfaceForceLoop<D, Softening>{in, out}, aged);
+  return aged;
 }
 
-template void interface_force<2, LinearSoftening>(const InterfaceForceIn<2>&,
-                                                  const InterfaceForceOut<2>&);
-template void interface_force<3, LinearSoftening>(const InterfaceForceIn<3>&,
-                                                  const InterfaceForceOut<3>&);
-template void interface_force<2, ZCurve>(const InterfaceForceIn<2>&, const InterfaceForceOut<2>&);
-template void interface_force<3, ZCurve>(const InterfaceForceIn<3>&, const InterfaceForceOut<3>&);
+template Index interface_force<2, LinearSoftening>(const InterfaceForceIn<2>&,
+                                                   const InterfaceForceOut<2>&);
+template Index interface_force<3, LinearSoftening>(const InterfaceForceIn<3>&,
+                                                   const InterfaceForceOut<3>&);
+template Index interface_force<2, ZCurve>(const InterfaceForceIn<2>&, const InterfaceForceOut<2>&);
+template Index interface_force<3, ZCurve>(const InterfaceForceIn<3>&, const InterfaceForceOut<3>&);
 
 }  // namespace breccia

@@ -27,17 +27,18 @@ struct InterfaceForceOut {
 };
 
 /// Tractions of inserted faces at their corners, each with 1/D of the reference area
-/// (Newton-Cotes). A corner whose family has not split yet carries none.
+/// (Newton-Cotes). A corner whose family has not split yet carries none. Returns how many lives
+/// changed.
 template <int D, class Softening>
-void interface_force(const InterfaceForceIn<D>& in, const InterfaceForceOut<D>& out);
+Index interface_force(const InterfaceForceIn<D>& in, const InterfaceForceOut<D>& out);
 
-extern template void interface_force<2, LinearSoftening>(const InterfaceForceIn<2>&,
-                                                         const InterfaceForceOut<2>&);
-extern template void interface_force<3, LinearSoftening>(const InterfaceForceIn<3>&,
-                                                         const InterfaceForceOut<3>&);
-extern template void interface_force<2, ZCurve>(const InterfaceForceIn<2>&,
-                                                const InterfaceForceOut<2>&);
-extern template void interface_force<3, ZCurve>(const InterfaceForceIn<3>&,
-                                                const InterfaceForceOut<3>&);
+extern template Index interface_force<2, LinearSoftening>(const InterfaceForceIn<2>&,
+                                                          const InterfaceForceOut<2>&);
+extern template Index interface_force<3, LinearSoftening>(const InterfaceForceIn<3>&,
+                                                          const InterfaceForceOut<3>&);
+extern template Index interface_force<2, ZCurve>(const InterfaceForceIn<2>&,
+                                                 const InterfaceForceOut<2>&);
+extern template Index interface_force<3, ZCurve>(const InterfaceForceIn<3>&,
+                                                 const InterfaceForceOut<3>&);
 
 }  // namespace breccia

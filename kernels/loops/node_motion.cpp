@@ -8,6 +8,7 @@ template <int D>
 struct NodeMotionLoop {
   NodeMotionIn<D> in;
   NodeMotionOut<D> out;
+  std::uint32_t extra_any;  ///< bits of all classes
 
   KOKKOS_FUNCTION
   void operator()(Index n, Sums<kWorks>& work) const {
@@ -16,24 +17,22 @@ struct NodeMotionLoop {
     const double m = in.mass(n);
     const Vec<D> v = row<D>(out.v, n);
 
-    const Vec<D> element = gather(in.element_force, begin, end);
+    Forces f;
+    if ((flags & extra_any) == 0)
+      f.element = gather(begin, end);
+    else
+      gather_all(begin, end, flags, f);
     const Vec<D> weight = in.gravity * m;
-    Vec<D> total = element + weight;
-    Vec<D> extra[kExtraClasses];
-    for (int c = 0; c < kExtraClasses; ++c) {
-      if ((flags & in.extra_bit[c]) == 0) continue;
-      extra[c] = gather(in.extra[c], begin, end);
-      total += extra[c];
-    }
+    Vec<D> total = f.element + weight;
+    for (int c = 0; c < kExtraClasses; ++c) total += f.extra[c];
 
     Vec<D> v_new = v + total * (in.kick / m);
     Vec<D> reaction = Vec<D>::zero();
     if ((flags & in.fixed_bits) != 0) hold(n, flags, m, v, total, v_new, reaction);
 
     const Vec<D> way = (v + v_new) * (0.5 * in.kick);
-    work[0] += dot(element, way);
-    for (int c = 0; c < kExtraClasses; ++c)
-      if ((flags & in.extra_bit[c]) != 0) work[1 + c] += dot(extra[c], way);
+    work[0] += dot(f.element, way);
+    for (int c = 0; c < kExtraClasses; ++c) work[1 + c] += dot(f.extra[c], way);
     work[4] += dot(weight, way);
     work[5] += dot(reaction, way);
     set_row<D>(out.v, n, v_new);
@@ -41,14 +40,39 @@ struct NodeMotionLoop {
   }
 
  private:
+  struct Forces {
+    Vec<D> element = Vec<D>::zero();
+    Vec<D> extra[kExtraClasses] = {Vec<D>::zero(), Vec<D>::zero(), Vec<D>::zero()};
+  };
+
   KOKKOS_FORCEINLINE_FUNCTION
-  Vec<D> gather(const ConstCornerForces<D>& force, Index begin, Index end) const {
+  Vec<D> gather(Index begin, Index end) const {
     Vec<D> f = Vec<D>::zero();
     for (Index k = begin; k < end; ++k) {
-      const double* corner = force.data() + static_cast<std::ptrdiff_t>(in.corner_list(k)) * D;
+      const double* corner =
+          in.element_force.data() + static_cast<std::ptrdiff_t>(in.corner_list(k)) * D;
       for (int d = 0; d < D; ++d) f[d] += corner[d];
     }
     return f;
+  }
+
+  /// All classes in one round over the corners. A class that the node does not have reads the
+  /// element's force, which is at hand, and takes nothing of it: no branch that cannot be foretold.
+  KOKKOS_FORCEINLINE_FUNCTION
+  void gather_all(Index begin, Index end, std::uint32_t flags, Forces& f) const {
+    const double* base[kExtraClasses];
+    double share[kExtraClasses];
+    for (int c = 0; c < kExtraClasses; ++c) {
+      const bool has = (flags & in.extra_bit[c]) != 0;
+      base[c] = has ? in.extra[c].data() : in.element_force.data();
+      share[c] = has ? 1.0 : 0.0;
+    }
+    for (Index k = begin; k < end; ++k) {
+      const auto at = static_cast<std::ptrdiff_t>(in.corner_list(k)) * D;
+      for (int d = 0; d < D; ++d) f.element[d] += in.element_force.data()[at + d];
+      for (int c = 0; c < kExtraClasses; ++c)
+        for (int d = 0; d < D; ++d) f.extra[c][d] += share[c] * base[c][at + d];
+    }
   }
 
   KOKKOS_FUNCTION
@@ -68,8 +92,9 @@ struct NodeMotionLoop {
 
 template <int D>
 void node_motion(Index nodes, const NodeMotionIn<D>& in, const NodeMotionOut<D>& out) {
+  const std::uint32_t any = in.extra_bit[0] | in.extra_bit[1] | in.extra_bit[2];
   for_each_summed<kWorks>("breccia::motion::node_motion", nodes, out.work,
-                          NodeMotionLoop<D>{in, out});
+                          NodeMotionLoop<D>{in, out, any});
 }
 
 template void node_motion<2>(Index, const NodeMotionIn<2>&, const NodeMotionOut<2>&);

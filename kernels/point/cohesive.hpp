@@ -73,6 +73,13 @@ struct Cohesive {
   KOKKOS_FUNCTION
   CohesiveResponse<D> respond(const State& old, const Vec<D>& jump, double rate) const;
 
+  /// The same in place, for the loop of every step: `state` moves on, `spent` grows by what the step
+  /// spent. Corners whose damage and slip stand still, nearly all, take a short way. Returns the
+  /// traction.
+  template <class Spent>
+  KOKKOS_FUNCTION
+  Vec<D> advance(State& state, const Vec<D>& jump, double rate, Spent& spent) const;
+
   /// Energy that closing the face without further damage would give back, J/m2; zero at zero
   /// jump but for the slip that the face was born with (`encoded_energy`).
   KOKKOS_FUNCTION
@@ -297,6 +304,56 @@ CohesiveResponse<D> Cohesive<D, Softening>::respond(const State& old, const Vec<
     r.spent.viscous += 0.5 * (old.viscous[i] + r.next.viscous[i]) * (jump[i] - old.jump[i]);
   r.traction += r.next.viscous;
   return r;
+}
+
+/// Where w stays below kap, or k_n w below the peak, and friction holds, eq:cohesive-9 leaves the
+/// damage as it is: only jump, viscous traction and perhaps kap change. Values are those of respond.
+template <int D, class Softening>
+template <class Spent>
+KOKKOS_FUNCTION
+Vec<D> Cohesive<D, Softening>::advance(State& s, const Vec<D>& jump, double rate,
+                                       Spent& spent) const {
+  const double left = Softening::left(s.damage), peak = s.strength * left;
+  const double w = shifted(s, jump[0], s.damage);
+  const double opening = Kokkos::max(s.opening, w);
+  const bool whole = springs.normal * opening <= peak;
+  const double k = whole ? springs.normal : peak / opening;
+  const bool closed = w <= 0;
+  const double normal = (closed ? springs.normal : k) * w;
+  const double pressed = Kokkos::max(0.0, -normal), pulled = Kokkos::max(0.0, normal);
+  const double mu = strength.friction * left + strength.residual_friction * (1 - left);
+  const double yield =
+      left * Kokkos::max(0.0, s.cohesion - strength.friction * pulled) + mu * pressed;
+  const Vec<D - 1> xi = elastic_slip(s, jump);
+  const bool stands = (whole || opening == s.opening) && springs.shear * norm(xi) <= yield;
+  if (!stands) {
+    const CohesiveResponse<D> r = respond(s, jump, rate);
+    s = r.next;
+    spent.tension += r.spent.tension;
+    spent.shear += r.spent.shear;
+    spent.friction += r.spent.friction;
+    spent.viscous += r.spent.viscous;
+    return r.traction;
+  }
+
+  // eq:cohesive-11, see dashpots
+  Vec<D> traction, viscous;
+  viscous[0] =
+      springs.normal_damping * (closed ? 1 : k / springs.normal) * (jump[0] - s.jump[0]) * rate;
+  if (closed) viscous[0] = Kokkos::min(viscous[0], Kokkos::max(0.0, peak - normal));
+  traction[0] = normal + viscous[0];
+  const Vec<D - 1> before = elastic_slip(s, s.jump);
+  for (int i = 0; i < D - 1; ++i) {
+    viscous[i + 1] = springs.shear_damping * (closed ? 1 : left) * (xi[i] - before[i]) * rate;
+    traction[i + 1] = springs.shear * xi[i] + viscous[i + 1];
+  }
+  double work = 0;
+  for (int i = 0; i < D; ++i) work += 0.5 * (s.viscous[i] + viscous[i]) * (jump[i] - s.jump[i]);
+  spent.viscous += work;
+  s.opening = opening;
+  s.jump = jump;
+  s.viscous = viscous;
+  return traction;
 }
 
 }  // namespace breccia

@@ -128,9 +128,9 @@ template <int D>
 void Fracture<D>::forces(Model<D>& model, const Clock& clock) {
   if (lists_are_stale_) retire(model);
   if (lists_.size() == 0) return;
-  act(model, clock);
+  const Index aged = act(model, clock);
   book_forces(model);
-  collect_breaks(model, clock);
+  if (aged > 0) collect_breaks(model, clock);
 }
 
 /// Interfaces that left in the last step are gone, their forces with them.
@@ -154,7 +154,7 @@ void Fracture<D>::rebuild(const Model<D>& model) {
 }
 
 template <int D>
-void Fracture<D>::act(const Model<D>& model, const Clock& clock) const {
+Index Fracture<D>::act(const Model<D>& model, const Clock& clock) const {
   const Store& s = model.store;
   InterfaceForceIn<D> in;
   in.x = s.get<NodePosition<D>>();
@@ -167,15 +167,15 @@ void Fracture<D>::act(const Model<D>& model, const Clock& clock) const {
   in.thickness = model.thickness;
   const InterfaceForceOut<D> out{s.get<InterfaceStates<D>>(), s.get<InterfaceEnergies<D>>(),
                                  s.get<InterfacePairForce<D>>(), s.get<InterfaceLife>()};
+  Index aged = 0;
   for (std::size_t l = 0; l < laws_.laws.size(); ++l) {
     in.begin = lists_.begin(l);
     in.end = lists_.begin(l + 1);
     in.strength = laws_.laws[l].strength;
-    if (laws_.laws[l].z_curve)
-      interface_force<D, ZCurve>(in, out);
-    else
-      interface_force<D, LinearSoftening>(in, out);
+    aged += laws_.laws[l].z_curve ? interface_force<D, ZCurve>(in, out)
+                                  : interface_force<D, LinearSoftening>(in, out);
   }
+  return aged;
 }
 
 template <int D>
@@ -185,7 +185,7 @@ void Fracture<D>::book_forces(const Model<D>& model) const {
                       s.get<InterfacePairForce<D>>(), s.get<InterfaceForce<D>>());
 }
 
-/// Faces whose corners have all broken in this step are released; interfaces that leave do so
+/// Called when lives have changed. Faces whose corners have all broken in this step are released; interfaces that leave do so
 /// before the next step's forces.
 template <int D>
 void Fracture<D>::collect_breaks(Model<D>& model, const Clock& clock) {
@@ -202,10 +202,7 @@ void Fracture<D>::collect_breaks(Model<D>& model, const Clock& clock) {
     released_ += found;
     ++model.releases;
   }
-  if (contact_follows_)
-    lists_are_stale_ = found > 0;
-  else if (released_ > 0)
-    lists_are_stale_ = breaks.leaving() > 0;
+  lists_are_stale_ = breaks.leaving() > 0;
 }
 
 template <int D>

@@ -36,7 +36,7 @@ class Fracture final : public Module<D> {
   void fill_faces(Model<D>& model);
   void forces(Model<D>& model, const Clock& clock);
   void retire(Model<D>& model);
-  void act(const Model<D>& model, const Clock& clock) const;
+  Index act(const Model<D>& model, const Clock& clock) const;
   void book_forces(const Model<D>& model) const;
   void rebuild(const Model<D>& model);
   void collect_breaks(Model<D>& model, const Clock& clock);
