@@ -6,14 +6,23 @@
 namespace breccia {
 
 /// Numbers of the entities whose flag is set, ascending, into `list`; returns how many. One launch
-/// and one number to the host.
+/// and one number to the host. Flags are looked at eight at a time: most are not set, or all.
 inline Index compact(const char* label, const Kokkos::View<const std::uint8_t*, Memory>& flag,
                      Index n, const Array<Index>& list) {
+  constexpr Index kWord = 8;
   return scan(
-      label, n, KOKKOS_LAMBDA(Index i, Index & at, bool last) {
-        if (flag(i) == 0) return;
-        if (last) list(at) = i;
-        ++at;
+      label, (n + kWord - 1) / kWord, KOKKOS_LAMBDA(Index w, Index & at, bool last) {
+        const Index begin = w * kWord, end = begin + kWord < n ? begin + kWord : n;
+        if (end == begin + kWord) {
+          std::uint32_t any = 0;
+          for (Index i = 0; i < kWord; ++i) any |= flag(begin + i);
+          if (any == 0) return;
+        }
+        for (Index i = begin; i < end; ++i) {
+          if (flag(i) == 0) continue;
+          if (last) list(at) = i;
+          ++at;
+        }
       });
 }
 

@@ -45,11 +45,9 @@ struct ReleaseLoop {
 template <int D>
 Index InterfaceBreaks<D>::find(const Array<Index>& broken) const {
   const InterfaceMap<D> m = map;
-  const ConstArray<Index> numbers = list;
   const Array<std::uint8_t> of_face = status;
   return scan(
-      "breccia::fracture::breaks", count, KOKKOS_LAMBDA(Index k, Index & at, bool last) {
-        const Index i = numbers(k);
+      "breccia::fracture::breaks", count, KOKKOS_LAMBDA(Index i, Index & at, bool last) {
         if (m.life(i) == interface_life::acting || of_face(m.record(i).face) != kInserted) return;
         if (last) broken(at) = i;
         ++at;
@@ -59,10 +57,9 @@ Index InterfaceBreaks<D>::find(const Array<Index>& broken) const {
 template <int D>
 Index InterfaceBreaks<D>::leaving() const {
   const InterfaceMap<D> m = map;
-  const ConstArray<Index> numbers = list;
   return scan(
-      "breccia::fracture::leaving", count, KOKKOS_LAMBDA(Index k, Index & n, bool) {
-        if (m.life(numbers(k)) == interface_life::leaving) ++n;
+      "breccia::fracture::leaving", count, KOKKOS_LAMBDA(Index i, Index & n, bool) {
+        if (m.life(i) == interface_life::leaving) ++n;
       });
 }
 

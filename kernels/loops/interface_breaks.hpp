@@ -3,11 +3,10 @@
 
 namespace breccia {
 
-/// Looks after the acting interfaces list(0) ... list(count - 1) once their laws have spoken.
+/// Looks after interfaces [0, count) once their laws have spoken.
 template <int D>
 struct InterfaceBreaks {
   InterfaceMap<D> map;
-  ConstArray<Index> list;
   Index count;
   Array<std::uint8_t> status;  ///< of faces
 

@@ -14,10 +14,11 @@ struct InterfaceForceLoop {
   KOKKOS_FUNCTION
   void operator()(Index k, Index& aged) const {
     const Index i = in.list(k);
+    if (out.life(i) == interface_life::gone) return;
     const InterfaceRecord& record = in.record(i);
     Vec<D> middle[D], jump[D];
     for (int c = 0; c < D; ++c) {
-      const Vec<D> l = row<D>(in.x, in.nodes(k, 0, c)), r = row<D>(in.x, in.nodes(k, 1, c));
+      const Vec<D> l = row<D>(in.x, in.nodes(i, 0, c)), r = row<D>(in.x, in.nodes(i, 1, c));
       middle[c] = (l + r) * 0.5;
       jump[c] = r - l;
     }
@@ -61,10 +62,10 @@ struct InterfaceForceLoop {
 template <int D, class Softening>
 Index interface_force(const InterfaceForceIn<D>& in, const InterfaceForceOut<D>& out) {
   Index aged = 0;
-  if (in.end <= in.begin) return aged;
+  if (in.count <= 0) return aged;
   count_launch();
   Kokkos::parallel_reduce("breccia::fracture::interface_force",
-                          Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(in.begin, in.end),
+                          Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, in.count),
                           InterfaceForceLoop<D, Softening>{in, out}, aged);
   return aged;
 }

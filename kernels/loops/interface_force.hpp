@@ -1,15 +1,15 @@
 #pragma once
-#include "loops/interface_views.hpp"
+#include "loops/interface_tables.hpp"
 
 namespace breccia {
 
-/// Interfaces list[begin] ... list[end - 1], all of one law.
+/// Interfaces list[0] ... list[count - 1], all of one law; those that are gone do not act.
 template <int D>
 struct InterfaceForceIn {
   ConstVectors<D> x;  ///< m, at t^n
   ConstArray<Index> list;
-  Kokkos::View<const Index* [2][D], Rows, Memory> nodes;  ///< per place in the list
-  Index begin, end;
+  ConstPairNodes<D> nodes;
+  Index count;
   ConstArray<InterfaceRecord> record;
   ConstCornerFlags<D> active;
   CohesiveStrength strength;

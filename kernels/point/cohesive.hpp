@@ -77,7 +77,7 @@ struct Cohesive {
   /// spent. Corners whose damage and slip stand still, nearly all, take a short way. Returns the
   /// traction.
   template <class Spent>
-  KOKKOS_FUNCTION
+  KOKKOS_FORCEINLINE_FUNCTION
   Vec<D> advance(State& state, const Vec<D>& jump, double rate, Spent& spent) const;
 
   /// Energy that closing the face without further damage would give back, J/m2; zero at zero
@@ -310,7 +310,7 @@ CohesiveResponse<D> Cohesive<D, Softening>::respond(const State& old, const Vec<
 /// damage as it is: only jump, viscous traction and perhaps kap change. Values are those of respond.
 template <int D, class Softening>
 template <class Spent>
-KOKKOS_FUNCTION
+KOKKOS_FORCEINLINE_FUNCTION
 Vec<D> Cohesive<D, Softening>::advance(State& s, const Vec<D>& jump, double rate,
                                        Spent& spent) const {
   const double left = Softening::left(s.damage), peak = s.strength * left;

@@ -116,9 +116,8 @@ void Fracture<D>::enlist(Model<D>& model, Plan& plan) {
       .template writing<InterfaceForce<D>, InterfaceStates<D>, FaceStatus>();
   plan.add(Stage::split, "fracture::split", key(),
            [this, &model](const Clock&) {
-             if (insertion_.check(model) == 0) return;
-             rebuild(model);
-             book_forces(model);
+             const Index found = insertion_.check(model);
+             if (found > 0) join(model, found);
            })
       .template reading<ElementHot, ElementForce<D>, InterfaceForce<D>, NodePosition<D>>()
       .template writing<FaceStatus, NodeCorners, CornerList, ElementNodes<D>, InterfaceForce<D>>();
@@ -126,7 +125,7 @@ void Fracture<D>::enlist(Model<D>& model, Plan& plan) {
 
 template <int D>
 void Fracture<D>::forces(Model<D>& model, const Clock& clock) {
-  if (lists_are_stale_) retire(model);
+  if (lists_are_stale_ || leaving_ > 0) retire(model);
   if (lists_.size() == 0) return;
   const Index aged = act(model, clock);
   book_forces(model);
@@ -142,8 +141,9 @@ void Fracture<D>::retire(Model<D>& model) {
       {face_map<D>(s), s.get<InterfaceRecords>(), s.get<ElementNodes<D>>(), s.get<NodeFamily>(),
        s.get<InterfaceLife>(), s.get<InterfacePairForce<D>>(), insertion_.touched()});
   insertion_.renew_stiffness(model);
-  rebuild(model);
+  if (lists_.leave(leaving_) || lists_are_stale_) rebuild(model);
   lists_are_stale_ = false;
+  leaving_ = 0;
 }
 
 template <int D>
@@ -153,12 +153,20 @@ void Fracture<D>::rebuild(const Model<D>& model) {
   lists_.rebuild(model, laws_.laws.size());
 }
 
+/// New interfaces join the lists; the forces at their corners act in this step already.
+template <int D>
+void Fracture<D>::join(const Model<D>& model, Index found) {
+  if (lists_.join(model, model.store.count(Entity::interface) - found))
+    lists_.renew(model, insertion_.families(), insertion_.family_count());
+  else
+    book_forces(model);
+}
+
 template <int D>
 Index Fracture<D>::act(const Model<D>& model, const Clock& clock) const {
   const Store& s = model.store;
   InterfaceForceIn<D> in;
   in.x = s.get<NodePosition<D>>();
-  in.list = lists_.list();
   in.nodes = lists_.nodes();
   in.record = s.get<InterfaceRecords>();
   in.active = s.get<InterfaceActive<D>>();
@@ -169,8 +177,8 @@ Index Fracture<D>::act(const Model<D>& model, const Clock& clock) const {
                                  s.get<InterfacePairForce<D>>(), s.get<InterfaceLife>()};
   Index aged = 0;
   for (std::size_t l = 0; l < laws_.laws.size(); ++l) {
-    in.begin = lists_.begin(l);
-    in.end = lists_.begin(l + 1);
+    in.list = lists_.list(l);
+    in.count = lists_.size(l);
     in.strength = laws_.laws[l].strength;
     aged += laws_.laws[l].z_curve ? interface_force<D, ZCurve>(in, out)
                                   : interface_force<D, LinearSoftening>(in, out);
@@ -190,9 +198,9 @@ void Fracture<D>::book_forces(const Model<D>& model) const {
 template <int D>
 void Fracture<D>::collect_breaks(Model<D>& model, const Clock& clock) {
   const Store& s = model.store;
-  make_room(changed_, "breccia::fracture::broken", lists_.size());
-  const InterfaceBreaks<D> breaks{interface_map<D>(s), lists_.list(), lists_.size(),
-                                  s.get<FaceStatus>()};
+  const Index count = s.count(Entity::interface);
+  make_room(changed_, "breccia::fracture::broken", count);
+  const InterfaceBreaks<D> breaks{interface_map<D>(s), count, s.get<FaceStatus>()};
   const Index found = breaks.find(changed_);
   if (found > 0) {
     breaks.release(changed_, found, s.get<ElementNodes<D>>(), s.get<NodePosition<D>>(),
@@ -202,7 +210,7 @@ void Fracture<D>::collect_breaks(Model<D>& model, const Clock& clock) {
     released_ += found;
     ++model.releases;
   }
-  lists_are_stale_ = breaks.leaving() > 0;
+  leaving_ = breaks.leaving();
 }
 
 template <int D>

@@ -26,6 +26,10 @@ class Insertion {
   const Array<std::uint8_t>& touched() const { return touched_; }
   void renew_stiffness(const Model<D>& model);
 
+  /// Families that the last check, or the last renewal, has found changed.
+  const Array<Index>& families() const { return work_.family; }
+  Index family_count() const { return work_.families; }
+
  private:
   void insert(Model<D>& model, const Array<Index>& faces, Index count);
   void split(Model<D>& model);

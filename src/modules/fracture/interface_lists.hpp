@@ -7,30 +7,45 @@
 
 namespace breccia {
 
-/// Which interfaces act and which elements they touch. Rebuilt when faces are inserted or leave,
-/// always in the order of their numbers.
+/// Which interfaces act, law by law in the order of their numbers, and which elements they touch.
+/// New interfaces join at the end; those that are gone stay, without force, until they are many.
 template <int D>
 class InterfaceLists {
  public:
+  /// Makes everything anew.
   void rebuild(const Model<D>& model, std::size_t laws);
 
-  /// Interfaces of law l are list()[begin(l)] ... list()[begin(l + 1) - 1].
-  const Array<Index>& list() const { return list_; }
-  Index begin(std::size_t law) const { return begin_.empty() ? 0 : begin_[law]; }
-  Index size() const { return begin_.empty() ? 0 : begin_.back(); }
+  /// Takes interfaces [first, ...) in. Where that needs room, makes everything anew and returns
+  /// false: the forces on corners are then to be booked.
+  bool join(const Model<D>& model, Index first);
+
+  /// Corners of the listed families, whose nodes or faces have changed.
+  void renew(const Model<D>& model, const Array<Index>& families, Index count) const;
+
+  /// Takes note that interfaces left; true when the lists are to be made anew.
+  bool leave(Index count);
+
+  /// Interfaces of law l are list(l)(0) ... list(l)(size(l) - 1).
+  const Array<Index>& list(std::size_t law) const { return list_[law]; }
+  Index size(std::size_t law) const { return size_[law]; }
+  Index size() const;
   const Array<Index>& elements() const { return elements_; }
   Index element_count() const { return element_count_; }
-  /// Nodes per place in list(), sources of forces per place in elements().
   const PairNodes<D>& nodes() const { return nodes_; }
   const PairSources<D>& sources() const { return sources_; }
 
  private:
-  Array<Index> list_, elements_;
-  Array<std::uint8_t> mark_, element_mark_;
+  void append(const Model<D>& model, Index first);
+  InterfaceTables<D> tables(const Model<D>& model) const;
+
+  std::vector<Array<Index>> list_;  ///< per law
+  std::vector<Index> size_;
+  Array<Index> elements_;
+  Array<std::uint8_t> element_mark_;
   PairNodes<D> nodes_;
   PairSources<D> sources_;
-  std::vector<Index> begin_;
   Index element_count_ = 0;
+  Index gone_ = 0;  ///< still in the lists
 };
 
 /// Makes room for n numbers; what is in the view is lost when it grows.
