@@ -1,4 +1,5 @@
 #pragma once
+#include "core/log.hpp"
 #include "io/scene_reader.hpp"
 #include "scene/commands.hpp"
 #include "scene/simulation.hpp"
@@ -15,6 +16,7 @@ struct RunningScene {
   std::unique_ptr<Simulation<D>> simulation;
 
   explicit RunningScene(const std::string& text) {
+    log::set_quiet(true);
     Schema schema;
     declare_schema(schema);
     settings = schema.resolve(read_scene_text(text, "benchmark"));
