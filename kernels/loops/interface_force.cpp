@@ -14,6 +14,7 @@ struct InterfaceForceLoop {
   KOKKOS_FUNCTION
   void operator()(Index k, Index& aged) const {
     const Index i = in.list(k);
+    KOKKOS_IF_ON_HOST((fetch_ahead(k + kAhead);))
     if (out.life(i) == interface_life::gone) return;
     const InterfaceRecord& record = in.record(i);
     Vec<D> middle[D], jump[D];
@@ -41,6 +42,27 @@ struct InterfaceForceLoop {
   }
 
  private:
+  static constexpr Index kAhead = 8;
+
+  /// Asks for the state of a later interface and for the places of its nodes.
+  KOKKOS_FORCEINLINE_FUNCTION
+  void fetch_ahead(Index k) const {
+    if (k >= in.count) return;
+    const Index i = in.list(k);
+    constexpr int kLine = 64;
+    const char* state = reinterpret_cast<const char*>(&out.state(i, 0));
+    for (std::size_t at = 0; at < D * sizeof(CohesiveState<D>); at += kLine)
+      __builtin_prefetch(state + at, 1);
+    __builtin_prefetch(&in.record(i));
+    __builtin_prefetch(&out.energy(i, 0), 1);
+    __builtin_prefetch(&out.energy(i, D - 1), 1);
+    __builtin_prefetch(&out.force(i, 0, 0), 1);
+    for (int c = 0; c < D; ++c) {
+      __builtin_prefetch(&in.x(in.nodes(i, 0, c), 0));
+      __builtin_prefetch(&in.x(in.nodes(i, 1, c), 0));
+    }
+  }
+
   /// A broken pair is done when contact takes it over, or when its corners are a face apart. 1 where
   /// its life changes.
   KOKKOS_FUNCTION
