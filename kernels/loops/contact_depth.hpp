@@ -35,6 +35,14 @@ struct SurfaceMesh {
     return square_distance_to_face<D>(x, q);
   }
 
+  /// All nodes of the element are near the surface.
+  KOKKOS_FUNCTION
+  bool known(Index e) const {
+    bool is = true;
+    for (int a = 0; a <= D; ++a) is = is && level(nodes(e, a)) != kFarLevel;
+    return is;
+  }
+
   KOKKOS_FUNCTION
   void place(Index e, Vec<D> (&x)[D + 1]) const {
     for (int a = 0; a <= D; ++a) x[a] = row<D>(reference, nodes(e, a));
@@ -123,15 +131,20 @@ struct NearestFacet {
 /// Bubbles of an element (eq:contact-potential-1 and -2); most elements have none.
 template <int D>
 KOKKOS_FUNCTION
-void bubbles(const SurfaceMesh<D>& mesh, Index e, double (&bubble)[D + 1]) {
+void find_bubbles(const SurfaceMesh<D>& mesh, Index e, double (&bubble)[D + 1]) {
   static_assert(D == 2, "contact in space follows");
+  int edges = 0;
+  for (int a = 0; a <= D; ++a) {
+    bubble[a] = 0;
+    edges += mesh.edge(mesh.nodes(e, a)) != 0 ? 1 : 0;
+  }
+  if (edges < D) return;
   Vec<D> x[D + 1];
   mesh.place(e, x);
   int faces = 0;
   for (int f = 0; f <= D; ++f) faces += mesh.on_surface(e, f) ? 1 : 0;
   const Mat<D> g = edge_matrix<D>(x);
   for (int f = 0; f <= D; ++f) {
-    bubble[f] = 0;
     const int i = face_node<D>(f, 0), j = face_node<D>(f, 1);
     const double length = norm(x[j] - x[i]);
     if (faces == D + 1) {
@@ -168,8 +181,8 @@ struct GradientShare {
 /// touch the corner.
 template <int D>
 KOKKOS_FUNCTION
-void gradient_at_corner(const SurfaceMesh<D>& mesh, const Array<double>& depth, Index e, int a,
-                        GradientShare<D>& share) {
+void gradient_at_corner(const SurfaceMesh<D>& mesh, const CornerNumbers<D>& bubble,
+                        const Array<double>& depth, Index e, int a, GradientShare<D>& share) {
   static_assert(D == 2, "contact in space follows");
   Vec<D> x[D + 1];
   mesh.place(e, x);
@@ -183,7 +196,7 @@ void gradient_at_corner(const SurfaceMesh<D>& mesh, const Array<double>& depth, 
     of[0] -= of[k];
   }
   double b[D + 1];
-  bubbles<D>(mesh, e, b);
+  for (int f = 0; f <= D; ++f) b[f] = bubble(e, f);
   if (b[0] < 0) {
     // -b[f] * of[f] is the unit normal; the part under face f is as large as its length.
     for (int f = 0; f <= D; ++f)
@@ -210,6 +223,7 @@ template <int D>
 struct SmoothGradient {
   SurfaceMesh<D> mesh;
   Array<Index> ring;
+  CornerNumbers<D> bubble;
   Array<double> depth;
   Vectors<D> gradient;
 
@@ -219,9 +233,7 @@ struct SmoothGradient {
     GradientShare<D> share;
     for (Index k = mesh.corners(n, 0); k < mesh.corners(n, 1); ++k) {
       const Index corner = mesh.corner_list(k), e = corner / (D + 1);
-      bool known = true;
-      for (int a = 0; a <= D; ++a) known = known && mesh.level(mesh.nodes(e, a)) != kFarLevel;
-      if (known) gradient_at_corner<D>(mesh, depth, e, corner % (D + 1), share);
+      if (mesh.known(e)) gradient_at_corner<D>(mesh, bubble, depth, e, corner % (D + 1), share);
     }
     const bool sharp = norm(share.sum) <= kSharp * share.weight;
     set_row<D>(gradient, n, sharp ? Vec<D>::zero() : share.sum * (1 / share.weight));

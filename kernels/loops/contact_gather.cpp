@@ -110,26 +110,27 @@ Index point_of(const Array<Index>& begin, Index points, Index p) {
 /// Twice the stiffness at the corners of an involved element.
 template <int D>
 KOKKOS_FUNCTION
-void element_stiffness(const LikelyContact<D>& likely, Index i, const CornerNumbers<D>& sum) {
+void element_stiffness(const LikelyContact<D>& likely, Index i) {
   const ContactStiffnessIn<D>& in = likely.in;
   const Index t = in.pairs.element(i);
-  for (int a = 0; a <= D; ++a) sum(i, a) = 0;
-  double l[D + 1];
+  double l[D + 1], sum[D + 1];
+  for (int a = 0; a <= D; ++a) sum[a] = 0;
   for (Index a = in.pairs.own_begin(t); a < in.pairs.own_begin(t + 1); ++a) {
     double k = 0;
     for (Index p = in.pairs.pair_begin(a); p < in.pairs.pair_begin(a + 1); ++p)
       if (likely.counts(a, p, l)) k += likely.stiffness(a, p);
     const Index point = in.pairs.point(a);
     for (int n = 0; n < D; ++n)
-      sum(i, face_node<D>((point / kFacePoints<D>) % (D + 1), n)) +=
+      sum[face_node<D>((point / kFacePoints<D>) % (D + 1), n)] +=
           2 * k * face_weight<D>(point % kFacePoints<D>, n);
   }
   for (Index c = in.pairs.come_begin(t); c < in.pairs.come_begin(t + 1); ++c) {
     const Index p = in.pairs.come(c), a = point_of(in.pairs.pair_begin, in.pairs.points, p);
     if (!likely.counts(a, p, l)) continue;
     const double k = likely.stiffness(a, p);
-    for (int n = 0; n <= D; ++n) sum(i, n) += 2 * k * l[n];
+    for (int n = 0; n <= D; ++n) sum[n] += 2 * k * l[n];
   }
+  for (int a = 0; a <= D; ++a) in.corner(in.surface.target(t), a) = sum[a];
 }
 
 }  // namespace
@@ -169,21 +170,16 @@ template <int D>
 void add_contact_stiffness(const ContactStiffnessIn<D>& in, const Array<double>& stiffness) {
   if (in.pairs.points == 0) return;
   const LikelyContact<D> likely{in};
-  const CornerNumbers<D> sum = allocate<CornerNumbers<D>>(
-      "breccia::contact::corner_stiffness", static_cast<std::size_t>(in.pairs.elements));
+  Kokkos::deep_copy(Exec(), in.corner, 0.0);
   for_each(
       "breccia::contact::corner_stiffness", in.pairs.elements,
-      KOKKOS_LAMBDA(Index i) { element_stiffness(likely, i, sum); });
+      KOKKOS_LAMBDA(Index i) { element_stiffness(likely, i); });
   for_each(
       "breccia::contact::stiffness", in.nodes, KOKKOS_LAMBDA(Index n) {
         if ((in.flags(n) & in.bit) == 0) return;
         double s = 0;
-        for (Index k = in.corners(n, 0); k < in.corners(n, 1); ++k) {
-          const Index corner = in.corner_list(k);
-          const Index t = find_in(in.surface.target, in.surface.targets, corner / (D + 1));
-          const Index i = t == kNone ? kNone : find_in(in.pairs.element, in.pairs.elements, t);
-          if (i != kNone) s += sum(i, corner % (D + 1));
-        }
+        for (Index k = in.corners(n, 0); k < in.corners(n, 1); ++k)
+          s += in.corner(in.corner_list(k) / (D + 1), in.corner_list(k) % (D + 1));
         stiffness(n) += s;
       });
 }

@@ -37,6 +37,7 @@ struct ContactStiffnessIn {
   Kokkos::View<const std::uint32_t*, Memory> flags;
   std::uint32_t bit = 0;
   Index nodes = 0;
+  CornerNumbers<D> corner;  ///< room for all elements
 };
 
 /// Adds to every node twice the stiffness that its contacts have or may soon have: 2 k N_a and 2 k

@@ -147,14 +147,17 @@ void take_contact_places(const ConstVectors<D>& x, const ContactSurface<D>& surf
 
 template <int D>
 ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
-                       const ContactSurface<D>& surface) {
+                       const ContactSurface<D>& surface,
+                       const Kokkos::View<const Index, Memory>& rim) {
   double way = 0, speed = 0;
+  Index deep = 0;
   if (surface.targets == 0) return {};
   count_launch();
   Kokkos::parallel_reduce(
       "breccia::contact::way",
       Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, surface.targets),
-      KOKKOS_LAMBDA(Index t, double& most, double& fastest) {
+      KOKKOS_LAMBDA(Index t, double& most, double& fastest, Index& set) {
+        if (t == 0) set = rim();
         for (int a = 0; a <= D; ++a) {
           const Index n = surface.nodes(t, a);
           double w = 0, s = 0;
@@ -167,8 +170,8 @@ ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
           fastest = s > fastest ? s : fastest;
         }
       },
-      Kokkos::Max<double>(way), Kokkos::Max<double>(speed));
-  return {Kokkos::sqrt(way), Kokkos::sqrt(speed)};
+      Kokkos::Max<double>(way), Kokkos::Max<double>(speed), Kokkos::Max<Index>(deep));
+  return {Kokkos::sqrt(way), Kokkos::sqrt(speed), deep};
 }
 
 template <int D>
@@ -207,7 +210,8 @@ void finish_contact_pairs(const ContactSurface<D>& surface, ContactSearchScratch
 
 template void take_contact_places<2>(const ConstVectors<2>&, const ContactSurface<2>&);
 template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>&,
-                                   const ContactSurface<2>&);
+                                   const ContactSurface<2>&,
+                                   const Kokkos::View<const Index, Memory>&);
 template double smallest_contact_size<2>(const ContactSurface<2>&);
 template void search_contacts<2>(const ContactSurface<2>&, double, ContactSearchScratch<2>&,
                                  ContactPairs<2>&);

@@ -28,13 +28,16 @@ struct ContactSearchScratch {
 template <int D>
 void take_contact_places(const ConstVectors<D>& x, const ContactSurface<D>& surface);
 
-/// Largest way of a target's node since the last search, m, and largest speed, m/s.
+/// Largest way of a target's node since the last search, m, largest speed, m/s, and whether `rim`
+/// is set: all that the host wants to know, in one go.
 struct ContactWay {
   double way = 0, speed = 0;
+  Index rim = 0;
 };
 template <int D>
 ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
-                       const ContactSurface<D>& surface);
+                       const ContactSurface<D>& surface,
+                       const Kokkos::View<const Index, Memory>& rim);
 
 /// Smallest size of an element behind the surface, m.
 template <int D>
@@ -56,7 +59,8 @@ void finish_contact_pairs(const ContactSurface<D>& surface, ContactSearchScratch
 
 extern template void take_contact_places<2>(const ConstVectors<2>&, const ContactSurface<2>&);
 extern template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>&,
-                                          const ContactSurface<2>&);
+                                          const ContactSurface<2>&,
+                                          const Kokkos::View<const Index, Memory>&);
 extern template double smallest_contact_size<2>(const ContactSurface<2>&);
 extern template void search_contacts<2>(const ContactSurface<2>&, double, ContactSearchScratch<2>&,
                                         ContactPairs<2>&);

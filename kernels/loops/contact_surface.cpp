@@ -11,7 +11,7 @@ namespace {
 template <int D>
 struct MarkFacet {
   ContactSurfaceIn<D> in;
-  Array<std::uint8_t> surface;
+  Array<std::uint8_t> surface, edge;
   Array<double> height;
 
   KOKKOS_FUNCTION
@@ -26,6 +26,13 @@ struct MarkFacet {
   void facet(Index e, int f, double h) const {
     surface(e * (D + 1) + f) = surface_mark::facet;
     height(e * (D + 1) + f) = h;
+    for (int k = 0; k < D; ++k) expose(e, f, k);
+  }
+
+  /// Several threads may do this to one node, all of them the same.
+  KOKKOS_FUNCTION
+  void expose(Index e, int f, int k) const {
+    Kokkos::atomic_store(&edge(in.element_nodes(e, face_node<D>(f, k))), std::uint8_t(1));
   }
 
   KOKKOS_FUNCTION
@@ -53,6 +60,8 @@ struct MarkFacet {
         continue;
       of_left |= surface_mark::first_node << k;
       of_right |= surface_mark::first_node << m;
+      expose(left, i, k);
+      expose(right, j, m);
     }
     surface(left * (D + 1) + i) = of_left;
     surface(right * (D + 1) + j) = of_right;
@@ -67,25 +76,16 @@ void find_facets(const ContactSurfaceIn<D>& in, ContactScratch<D>& scratch,
   make_room(scratch.surface, sides);
   make_room(scratch.height, sides);
   Kokkos::deep_copy(Exec(), scratch.surface, std::uint8_t(0));
-  const MarkFacet<D> mark{in, scratch.surface, scratch.height};
+  make_room(scratch.edge, in.nodes);
+  Kokkos::deep_copy(Exec(), scratch.edge, std::uint8_t(0));
+  const MarkFacet<D> mark{in, scratch.surface, scratch.edge, scratch.height};
   for_each(
       "breccia::contact::free_faces", static_cast<Index>(in.free_facet.extent(0)),
       KOKKOS_LAMBDA(Index i) { mark.free(i); });
   if (in.face_status.extent(0) > 0)
     for_each(
         "breccia::contact::released_faces", in.faces, KOKKOS_LAMBDA(Index i) { mark.shared(i); });
-  make_room(scratch.edge, in.nodes);
-  Kokkos::deep_copy(Exec(), scratch.edge, std::uint8_t(0));
-  const Array<std::uint8_t> marked = scratch.surface, edge = scratch.edge;
-  for_each(
-      "breccia::contact::edges", sides, KOKKOS_LAMBDA(Index i) {
-        for (int k = 0; k < D; ++k) {
-          const int here = surface_mark::facet | (surface_mark::first_node << k);
-          if ((marked(i) & here) == 0) continue;
-          const Index n = in.element_nodes(i / (D + 1), face_node<D>(i % (D + 1), k));
-          Kokkos::atomic_store(&edge(n), std::uint8_t(1));
-        }
-      });
+  const Array<std::uint8_t> marked = scratch.surface;
   surface.facets = list_where(
       "breccia::contact::facets", sides,
       KOKKOS_LAMBDA(Index i) { return (marked(i) & surface_mark::facet) != 0; }, surface.facet);
@@ -167,6 +167,15 @@ void find_depth(const SurfaceMesh<D>& mesh, const ContactSurfaceIn<D>& in,
   make_room(scratch.nearer, in.nodes);
   make_room(scratch.depth, in.nodes);
   make_room(scratch.gradient, in.nodes);
+  make_room(scratch.bubble, in.elements);
+  const CornerNumbers<D> bubble = scratch.bubble;
+  for_each(
+      "breccia::contact::bubbles", in.elements, KOKKOS_LAMBDA(Index e) {
+        if (!mesh.known(e)) return;
+        double b[D + 1];
+        find_bubbles<D>(mesh, e, b);
+        for (int f = 0; f <= D; ++f) bubble(e, f) = b[f];
+      });
   NearestFacet<D> nearest{mesh,          scratch.ring, scratch.nearest, scratch.nearest,
                           scratch.depth, true};
   // A level looks at lower ones only, so nobody reads what another one writes.
@@ -183,13 +192,14 @@ void find_depth(const SurfaceMesh<D>& mesh, const ContactSurfaceIn<D>& in,
   nearest.to = scratch.nearer;
   for_each("breccia::contact::depth", ring_nodes, nearest);
   for_each("breccia::contact::gradient", ring_nodes,
-           SmoothGradient<D>{mesh, scratch.ring, scratch.depth, scratch.gradient});
+           SmoothGradient<D>{mesh, scratch.ring, bubble, scratch.depth, scratch.gradient});
 }
 
 template <int D>
 struct FillTarget {
   SurfaceMesh<D> mesh;
   ContactSurface<D> surface;
+  CornerNumbers<D> bubble;
   Array<double> depth;
   Vectors<D> gradient;
   Index layers;
@@ -200,15 +210,13 @@ struct FillTarget {
     Vec<D> x[D + 1];
     mesh.place(e, x);
     const Mat<D> g = edge_matrix<D>(x);
-    double bubble[D + 1];
-    bubbles<D>(mesh, e, bubble);
     int nearest = kFarLevel;
     for (int a = 0; a <= D; ++a) {
       const Index n = mesh.nodes(e, a);
       nearest = mesh.level(n) < nearest ? mesh.level(n) : nearest;
       surface.nodes(t, a) = n;
       surface.depth(t, a) = depth(n);
-      surface.bubble(t, a) = bubble[a];
+      surface.bubble(t, a) = bubble(e, a);
       for (int j = 0; j < D; ++j) {
         double s = 0;
         for (int i = 0; i < D; ++i) s += gradient(n, i) * g(i, j);
@@ -251,8 +259,9 @@ bool update_contact_surface(const ContactSurfaceIn<D>& in, ContactScratch<D>& sc
   const SurfaceMesh<D> mesh{in.element_nodes, in.reference,  in.corners,  in.corner_list,
                             scratch.surface,  scratch.level, scratch.edge};
   find_depth(mesh, in, scratch, ring_nodes);
-  for_each("breccia::contact::fill_targets", surface.targets,
-           FillTarget<D>{mesh, surface, scratch.depth, scratch.gradient, in.layers});
+  for_each(
+      "breccia::contact::fill_targets", surface.targets,
+      FillTarget<D>{mesh, surface, scratch.bubble, scratch.depth, scratch.gradient, in.layers});
   measure_facets(in, scratch, surface);
   return deepest > 0;
 }

@@ -36,8 +36,9 @@ struct ContactScratch {
   Array<std::uint8_t> edge;     ///< per node: 1 where phi is zero
   Array<std::uint8_t> chosen;   ///< per element
   Array<Index> ring, nearest, nearer;
-  Array<double> depth;  ///< per node
-  Vectors<D> gradient;  ///< per node
+  CornerNumbers<D> bubble;  ///< per element face, near the surface
+  Array<double> depth;      ///< per node
+  Vectors<D> gradient;      ///< per node
 };
 
 /// Facets, targets and their potential (ALGORITHMS ), from the reference configuration:

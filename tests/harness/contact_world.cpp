@@ -180,7 +180,7 @@ std::vector<std::pair<Index, Index>> ContactWorld::candidates() const {
 
 ContactWay ContactWorld::way() const {
   upload();
-  return contact_way<2>(x_, v_, surface);
+  return contact_way<2>(x_, v_, surface, Kokkos::subview(signals_.value, ContactSignals::rim));
 }
 
 std::vector<double> ContactWorld::node_stiffness() const {
@@ -198,6 +198,7 @@ std::vector<double> ContactWorld::node_stiffness() const {
   in.flags = flags_;
   in.bit = kBit;
   in.nodes = mesh.points();
+  in.corner = CornerNumbers<2>("corner", mesh.elements());
   add_contact_stiffness(in, stiffness_at);
   return to_host(stiffness_at, mesh.points());
 }

@@ -66,6 +66,8 @@ void Contact<D>::read_tables(const Model<D>& model) {
   Kokkos::deep_copy(moduli, host);
   Kokkos::deep_copy(table_, table);
   rule_.material = moduli;
+  corner_stiffness_ = CornerNumbers<D>("breccia::contact::corner_stiffness",
+                                       static_cast<std::size_t>(model.elements()));
 }
 
 template <int D>
@@ -140,6 +142,7 @@ void Contact<D>::add_stiffness(Model<D>& model, const Array<double>& stiffness) 
   in.flags = s.get<NodeFlags>();
   in.bit = node_flag::contact;
   in.nodes = model.nodes();
+  in.corner = corner_stiffness_;
   add_contact_stiffness(in, stiffness);
 }
 

@@ -28,7 +28,9 @@ class Contact final : public Module<D> {
   void draw(Model<D>& model, Picture& picture) const override;
   void observe(Model<D>& model, const Clock& clock, Moment moment, Row& row) override;
   void count(Model<D>& model, Counts& counts) const override;
-  std::size_t bytes() const override { return lists_.bytes(); }
+  std::size_t bytes() const override {
+    return lists_.bytes() + corner_stiffness_.span() * sizeof(double);
+  }
   void archive(Archive& archive) override;
 
  private:
@@ -38,6 +40,7 @@ class Contact final : public Module<D> {
   ContactLists<D> lists_;
   ContactStiffness<D> rule_;
   ContactTable table_;
+  CornerNumbers<D> corner_stiffness_;
   bool smooth_ = true;
   bool rubs_ = false;  ///< some friction coefficient is above zero
   ChunkSums<3> lost_;  ///< J: friction, viscous, numeric

@@ -20,6 +20,10 @@ constexpr double kLongestBlink = 8;
 /// Share of the room left in the skin that the speeds of now may use up before the next look;
 /// half, so that speeds may double meanwhile.
 constexpr double kRoom = 0.5;
+/// Steps that a released face may stay without contact while its sides are apart. They are looked
+/// at in each step; others that come near, at strains below 2 % (see above), move by a sixth of h
+/// at most.
+constexpr std::int64_t kPatience = 16;
 
 }  // namespace
 
@@ -54,22 +58,30 @@ void ContactLists<D>::resume(Model<D>& model, const ContactStiffness<D>& rule) {
   skin_ = skin_share_ * smallest_contact_size(surface_);
   finish_contact_pairs(surface_, search_scratch_, pairs_);
   attach(model, rule);
+  const ReleasedFaces<D> in = faces(model);
+  mark_known_releases(in, surface_, known_);
+  if (model.releases != releases_) fresh_count_ = list_new_releases(in, known_, fresh_);
 }
 
 template <int D>
 void ContactLists<D>::look(Model<D>& model, const Clock& clock, const ContactStiffness<D>& rule) {
   const bool released = model.releases != releases_;
-  if (!released && model.splits != splits_) {
-    refresh_contact_nodes<D>(model.store.template get<ElementNodes<D>>(), surface_);
-    refresh_point_nodes(surface_, pairs_);
-    splits_ = model.splits;
+  bool due = released && pressed(model, clock), deeper = false;
+  if (!due && clock.step >= next_look_) {
+    const ContactWay now = contact_way<D>(model.store.template get<NodePosition<D>>(),
+                                          model.store.template get<NodeVelocity<D>>(), surface_,
+                                          Kokkos::subview(signals_.value, ContactSignals::rim));
+    due = far(model, clock, now);
+    deeper = now.rim != 0 && deepen();
   }
-  bool due = released, deeper = false;
-  if (!released && clock.step >= next_look_) {
-    due = far(model, clock);
-    deeper = deepen();
+  if (!due && !deeper) {
+    if (model.splits != splits_) {
+      refresh_contact_nodes<D>(model.store.template get<ElementNodes<D>>(), surface_);
+      refresh_point_nodes(surface_, pairs_);
+      splits_ = model.splits;
+    }
+    return;
   }
-  if (!due && !deeper) return;
   clear(model);
   // Faces that were inserted meanwhile can wait until now: they open slowly.
   if (released || deeper || model.splits != surface_splits_) make_surface(model);
@@ -80,11 +92,35 @@ void ContactLists<D>::look(Model<D>& model, const Clock& clock, const ContactSti
   model.step_is_stale = model.step_is_stale || pairs_.pairs > 0;
 }
 
+template <int D>
+ReleasedFaces<D> ContactLists<D>::faces(const Model<D>& model) const {
+  const Store& s = model.store;
+  ReleasedFaces<D> in;
+  if (!s.has<FaceStatus>()) return in;
+  in.faces = s.count(Entity::face);
+  in.status = s.get<FaceStatus>();
+  in.code = s.get<FaceCode>();
+  in.elements = s.get<FaceElements>();
+  in.element_nodes = s.get<ElementNodes<D>>();
+  in.released = face_status::released;
+  return in;
+}
+
+/// True when released faces can wait no longer: one of them is closed, or they have waited enough.
+template <int D>
+bool ContactLists<D>::pressed(Model<D>& model, const Clock& clock) {
+  const ReleasedFaces<D> in = faces(model);
+  if (seen_releases_ == releases_) patience_ = clock.step + kPatience;
+  if (seen_releases_ != model.releases) fresh_count_ = list_new_releases(in, known_, fresh_);
+  seen_releases_ = model.releases;
+  return clock.step >= patience_ ||
+         sides_meet<D>(in, fresh_, fresh_count_, model.store.template get<NodePosition<D>>(),
+                       model.store.template get<NodeVelocity<D>>(), clock.dt);
+}
+
 /// True when a node may have left its half of the skin.
 template <int D>
-bool ContactLists<D>::far(Model<D>& model, const Clock& clock) {
-  const ContactWay now = contact_way<D>(model.store.template get<NodePosition<D>>(),
-                                        model.store.template get<NodeVelocity<D>>(), surface_);
+bool ContactLists<D>::far(Model<D>& model, const Clock& clock, const ContactWay& now) {
   const double room = 0.5 * skin_ - now.way;
   if (room < 0) {
     // At the step before, with which the list was still used, the node was this much nearer.
@@ -106,14 +142,10 @@ bool ContactLists<D>::far(Model<D>& model, const Clock& clock) {
   return false;
 }
 
-/// More layers of targets when a point has reached the deepest.
+/// More layers of targets, for a point has reached the deepest.
 template <int D>
 bool ContactLists<D>::deepen() {
-  const auto rim = Kokkos::subview(signals_.value, ContactSignals::rim);
-  Index deep = 0;
-  Kokkos::deep_copy(deep, rim);
-  if (deep == 0) return false;
-  Kokkos::deep_copy(rim, Index(0));
+  Kokkos::deep_copy(Exec(), Kokkos::subview(signals_.value, ContactSignals::rim), Index(0));
   if (!deeper_exist_) return false;
   layers_ += 2;
   return true;
@@ -150,7 +182,8 @@ void ContactLists<D>::make_surface(Model<D>& model) {
   in.layers = static_cast<Index>(layers_);
   deeper_exist_ = update_contact_surface(in, scratch_, surface_);
   skin_ = skin_share_ * smallest_contact_size(surface_);
-  releases_ = model.releases;
+  mark_known_releases(faces(model), surface_, known_);
+  releases_ = seen_releases_ = model.releases;
   splits_ = surface_splits_ = model.splits;
   jumped_ = true;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "loops/contact_force.hpp"
+#include "loops/contact_release.hpp"
 #include "loops/contact_search.hpp"
 #include "loops/contact_surface.hpp"
 #include "step/clock.hpp"
@@ -9,8 +10,9 @@
 namespace breccia {
 
 /// Surface, targets and candidate pairs of a model, and when they are made anew (ALGORITHMS,
-/// at once after faces were released; otherwise before any node has moved by half the skin
-/// since the last search. Nodes are looked at every step, or less often while they are slow.
+/// at once when the sides of a released face meet, and before long while it is open;
+/// otherwise before any node has moved by half the skin since the last search. Nodes are looked at
+/// every step, or less often while they are slow.
 template <int D>
 class ContactLists {
  public:
@@ -34,7 +36,9 @@ class ContactLists {
   void archive(Archive& archive);
 
  private:
-  bool far(Model<D>& model, const Clock& clock);
+  ReleasedFaces<D> faces(const Model<D>& model) const;
+  bool pressed(Model<D>& model, const Clock& clock);
+  bool far(Model<D>& model, const Clock& clock, const ContactWay& now);
   bool deepen();
   void clear(Model<D>& model) const;
   void make_surface(Model<D>& model);
@@ -50,9 +54,12 @@ class ContactLists {
   ContactSearchScratch<D> search_scratch_;
   ContactHistory<D> spare_;
   Array<Index> free_facet_, old_facet_;
-  Index old_facets_ = 0;
+  Array<std::uint8_t> known_;  ///< per face: released, and part of the surface
+  Array<Index> fresh_;         ///< released faces that are not part of it yet
+  Index old_facets_ = 0, fresh_count_ = 0;
   double skin_share_ = 0, skin_ = 0;
   std::int64_t layers_ = 2, splits_ = 0, surface_splits_ = 0, releases_ = 0;
+  std::int64_t seen_releases_ = 0, patience_ = 0;  ///< last step in which open faces may wait
   std::int64_t last_look_ = 0, next_look_ = 0;
   bool deeper_exist_ = false, jumped_ = false;
 };

@@ -45,6 +45,8 @@ template <int D>
 void ContactLists<D>::archive(Archive& archive) {
   archive.integer("contact.layers", layers_);
   archive.integer("contact.releases", releases_);
+  archive.integer("contact.seen_releases", seen_releases_);
+  archive.integer("contact.patience", patience_);
   archive.integer("contact.splits", splits_);
   archive.integer("contact.surface_splits", surface_splits_);
   archive.integer("contact.last_look", last_look_);
@@ -82,12 +84,12 @@ std::size_t ContactLists<D>::bytes() const {
   const auto& c = scratch_;
   const auto& b = search_scratch_;
   return memory_of(s.facet, s.facet_target, s.area, s.height, s.target, s.rim, s.nodes, s.place,
-                   s.depth, s.bubble, s.slope, old_facet_, free_facet_) +
+                   s.depth, s.bubble, s.slope, old_facet_, free_facet_, known_, fresh_) +
          memory_of(p.point, p.facet, p.pair_begin, p.target, p.own_begin, p.come_begin, p.come,
                    p.element, p.nodes, p.hit, p.pair_force, p.pair_weight, p.point_force) +
          memory_of(point_.constants, point_.material, spare_.element, spare_.state) +
          memory_of(c.surface, c.height, c.level, c.edge, c.chosen, c.ring, c.nearest, c.nearer,
-                   c.depth, c.gradient) +
+                   c.bubble, c.depth, c.gradient) +
          memory_of(b.bins.begin, b.bins.fill, b.bins.tag, b.bins.target, b.count);
 }
 
