@@ -59,10 +59,13 @@ struct NodeMotionLoop {
   }
 
   /// Nodes that came from splits stand far from their corners' forces, which nothing but a word ahead
-  /// brings in time.
+  /// brings in time: first their numbers, then their forces.
   KOKKOS_FORCEINLINE_FUNCTION
   void fetch_ahead(Index n) const {
-    if (n >= nodes || (in.flags(n) & extra_any) == 0) return;
+    if (n + kAhead >= nodes) return;
+    if ((in.flags(n + kAhead) & extra_any) != 0)
+      __builtin_prefetch(&in.corner_list(in.corners(n + kAhead, 0)));
+    if ((in.flags(n) & extra_any) == 0) return;
     for (Index k = in.corners(n, 0); k < in.corners(n, 1); ++k) {
       const auto at = static_cast<std::ptrdiff_t>(in.corner_list(k)) * D;
       __builtin_prefetch(in.element_force.data() + at);
@@ -71,7 +74,7 @@ struct NodeMotionLoop {
     }
   }
 
-  static constexpr Index kAhead = 8;
+  static constexpr Index kAhead = 12;
 
   /// All classes in one round over the corners. A class that the node does not have reads the
   /// element's force, which is at hand, and takes nothing of it: no branch that cannot be foretold.
