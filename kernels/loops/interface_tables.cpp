@@ -13,8 +13,9 @@ void book_corner(const ConstPairSources<D>& sources, const ConstPairForces<D>& p
   Vec<D> sum = Vec<D>::zero();
   for (int m = 0; m < D; ++m) {
     const Index source = sources(e, a, m);
-    const Index place = (source > 0 ? source : -source) - (source != 0 ? 1 : 0);
-    const double share = source > 0 ? 1.0 : source < 0 ? -1.0 : 0.0;
+    const int sign = (source > 0) - (source < 0);
+    const Index place = sign * source - sign * sign;
+    const auto share = static_cast<double>(sign);
     const double* f = pair.data() + static_cast<std::ptrdiff_t>(place) * D;
     for (int d = 0; d < D; ++d) sum[d] += share * f[d];
   }
