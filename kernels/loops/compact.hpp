@@ -33,4 +33,11 @@ void raise(const Array<std::uint8_t>& flag, Index i) {
   KOKKOS_IF_ON_DEVICE((flag(i) = 1;))
 }
 
+/// Asks a processor that runs ahead of its memory, the host, for the line at `address`.
+KOKKOS_FORCEINLINE_FUNCTION
+void fetch(const void* address) {
+  KOKKOS_IF_ON_HOST((__builtin_prefetch(address);))
+  KOKKOS_IF_ON_DEVICE((static_cast<void>(address);))
+}
+
 }  // namespace breccia

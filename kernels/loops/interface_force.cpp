@@ -1,5 +1,6 @@
 #include "loops/interface_force.hpp"
 
+#include "loops/compact.hpp"
 #include "point/interface_frame.hpp"
 
 namespace breccia {
@@ -51,15 +52,14 @@ struct InterfaceForceLoop {
     const Index i = in.list(k);
     constexpr int kLine = 64;
     const char* state = reinterpret_cast<const char*>(&out.state(i, 0));
-    for (std::size_t at = 0; at < D * sizeof(CohesiveState<D>); at += kLine)
-      __builtin_prefetch(state + at, 1);
-    __builtin_prefetch(&in.record(i));
-    __builtin_prefetch(&out.energy(i, 0), 1);
-    __builtin_prefetch(&out.energy(i, D - 1), 1);
-    __builtin_prefetch(&out.force(i, 0, 0), 1);
+    for (std::size_t at = 0; at < D * sizeof(CohesiveState<D>); at += kLine) fetch(state + at);
+    fetch(&in.record(i));
+    fetch(&out.energy(i, 0));
+    fetch(&out.energy(i, D - 1));
+    fetch(&out.force(i, 0, 0));
     for (int c = 0; c < D; ++c) {
-      __builtin_prefetch(&in.x(in.nodes(i, 0, c), 0));
-      __builtin_prefetch(&in.x(in.nodes(i, 1, c), 0));
+      fetch(&in.x(in.nodes(i, 0, c), 0));
+      fetch(&in.x(in.nodes(i, 1, c), 0));
     }
   }
 

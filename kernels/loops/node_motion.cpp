@@ -1,5 +1,7 @@
 #include "loops/node_motion.hpp"
 
+#include "loops/compact.hpp"
+
 namespace breccia {
 
 namespace {
@@ -63,14 +65,13 @@ struct NodeMotionLoop {
   KOKKOS_FORCEINLINE_FUNCTION
   void fetch_ahead(Index n) const {
     if (n + kAhead >= nodes) return;
-    if ((in.flags(n + kAhead) & extra_any) != 0)
-      __builtin_prefetch(&in.corner_list(in.corners(n + kAhead, 0)));
+    if ((in.flags(n + kAhead) & extra_any) != 0) fetch(&in.corner_list(in.corners(n + kAhead, 0)));
     if ((in.flags(n) & extra_any) == 0) return;
     for (Index k = in.corners(n, 0); k < in.corners(n, 1); ++k) {
       const auto at = static_cast<std::ptrdiff_t>(in.corner_list(k)) * D;
-      __builtin_prefetch(in.element_force.data() + at);
+      fetch(in.element_force.data() + at);
       for (int c = 0; c < kExtraClasses; ++c)
-        if ((in.flags(n) & in.extra_bit[c]) != 0) __builtin_prefetch(in.extra[c].data() + at);
+        if ((in.flags(n) & in.extra_bit[c]) != 0) fetch(in.extra[c].data() + at);
     }
   }
 
