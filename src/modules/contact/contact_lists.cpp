@@ -67,6 +67,11 @@ template <int D>
 void ContactLists<D>::look(Model<D>& model, const Clock& clock, const ContactStiffness<D>& rule) {
   const bool released = model.releases != releases_;
   bool due = released && pressed(model, clock), deeper = false;
+  if (!due && model.splits != splits_) {
+    refresh_contact_nodes<D>(model.store.template get<ElementNodes<D>>(), surface_);
+    refresh_point_nodes(surface_, pairs_);
+    splits_ = model.splits;
+  }
   if (!due && clock.step >= next_look_) {
     const ContactWay now = contact_way<D>(model.store.template get<NodePosition<D>>(),
                                           model.store.template get<NodeVelocity<D>>(), surface_,
@@ -74,14 +79,7 @@ void ContactLists<D>::look(Model<D>& model, const Clock& clock, const ContactSti
     due = far(model, clock, now);
     deeper = now.rim != 0 && deepen();
   }
-  if (!due && !deeper) {
-    if (model.splits != splits_) {
-      refresh_contact_nodes<D>(model.store.template get<ElementNodes<D>>(), surface_);
-      refresh_point_nodes(surface_, pairs_);
-      splits_ = model.splits;
-    }
-    return;
-  }
+  if (!due && !deeper) return;
   clear(model);
   // Faces that were inserted meanwhile can wait until now: they open slowly.
   if (released || deeper || model.splits != surface_splits_) make_surface(model);
