@@ -63,8 +63,8 @@ struct InterfaceForceLoop {
     }
   }
 
-  /// A broken pair is done when contact takes it over, or when its corners are a face apart. 1 where
-  /// its life changes.
+  /// A broken pair is done when contact takes it over, or when its corners are a face apart. 1
+  /// where its life changes.
   KOKKOS_FUNCTION
   Index age(Index i, const Vec<D> (&jump)[D], double area) const {
     double nearest = norm2(jump[0]);

@@ -60,8 +60,8 @@ struct NodeMotionLoop {
     return f;
   }
 
-  /// Nodes that came from splits stand far from their corners' forces, which nothing but a word ahead
-  /// brings in time: first their numbers, then their forces.
+  /// Nodes that came from splits stand far from their corners' forces: asked for ahead of time,
+  /// first the numbers of the corners, then the forces.
   KOKKOS_FORCEINLINE_FUNCTION
   void fetch_ahead(Index n) const {
     if (n + kAhead >= nodes) return;

@@ -73,9 +73,9 @@ struct Cohesive {
   KOKKOS_FUNCTION
   CohesiveResponse<D> respond(const State& old, const Vec<D>& jump, double rate) const;
 
-  /// The same in place, for the loop of every step: `state` moves on, `spent` grows by what the step
-  /// spent. Corners whose damage and slip stand still, nearly all, take a short way. Returns the
-  /// traction.
+  /// The same in place, for the loop of every step: `state` moves on, `spent` grows by what the
+  /// step spent. Corners whose damage and slip stand still, nearly all, take a short way. Returns
+  /// the traction.
   template <class Spent>
   KOKKOS_FORCEINLINE_FUNCTION
   Vec<D> advance(State& state, const Vec<D>& jump, double rate, Spent& spent) const;
@@ -307,7 +307,8 @@ CohesiveResponse<D> Cohesive<D, Softening>::respond(const State& old, const Vec<
 }
 
 /// Where w stays below kap, or k_n w below the peak, and friction holds, eq:cohesive-9 leaves the
-/// damage as it is: only jump, viscous traction and perhaps kap change. Values are those of respond.
+/// damage as it is: only jump, viscous traction and perhaps kap change. Values are those of
+/// respond.
 template <int D, class Softening>
 template <class Spent>
 KOKKOS_FORCEINLINE_FUNCTION

@@ -144,7 +144,7 @@ void onset_check(benchmark::State& state) {
   if (under != 0 || find_onset(in, hot, n, mark, found) != faces)
     state.SkipWithError("the check does not find the faces above the strength");
   for (auto _ : state) benchmark::DoNotOptimize(find_onset(in, hot, n, mark, found));
-  // Elements left and right, code, status, faces of both; nodes, shapes and materials of both sides.
+  // Elements left and right, code, status, faces of both; nodes, shapes, materials of both sides.
   report(state, faces, 8 + 1 + 1 + 8 + 2 * (4.0 * (D + 1) + 8.0 * D * D + 4 + 1) + 3 * 8.0 * D);
 }
 

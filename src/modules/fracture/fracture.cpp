@@ -193,8 +193,8 @@ void Fracture<D>::book_forces(const Model<D>& model) const {
                       s.get<InterfacePairForce<D>>(), s.get<InterfaceForce<D>>());
 }
 
-/// Called when lives have changed. Faces whose corners have all broken in this step are released; interfaces that leave do so
-/// before the next step's forces.
+/// Called when lives have changed. Faces whose corners have all broken in this step are released;
+/// interfaces that leave do so before the next step's forces.
 template <int D>
 void Fracture<D>::collect_breaks(Model<D>& model, const Clock& clock) {
   const Store& s = model.store;
