@@ -1,10 +1,52 @@
 #include "loops/face_onset.hpp"
 
+#include "loops/compact.hpp"
 #include "loops/face_traction.hpp"
 
 namespace breccia {
 
 namespace {
+
+constexpr std::uint8_t kBonded = 0, kInserted = 1;  // fields/common_fields.hpp
+
+template <int D>
+KOKKOS_FUNCTION
+const CohesiveOnset& onset_of(const FaceOnsetIn<D>& in, Index face) {
+  const Index left = in.faces.elements(face, 0), right = in.faces.elements(face, 1);
+  return in.laws(in.law_of(in.stress.material(left) * in.materials + in.stress.material(right)))
+      .onset;
+}
+
+template <int D>
+KOKKOS_FUNCTION
+Index family_at(const FaceOnsetIn<D>& in, Index face, int corner) {
+  const auto at = in.faces.left(face, corner);
+  return in.family(in.stress.nodes(at.element, at.node));
+}
+
+template <int D>
+struct StrainedLoop {
+  FaceOnsetIn<D> in;
+  ConstArray<Index> elements;
+
+  KOKKOS_FUNCTION
+  void operator()(Index k, Index& found) const {
+    const Index e = elements(k / (D + 1));
+    const Index face = in.faces.of_element(e, static_cast<int>(k % (D + 1)));
+    if (face == kNone || in.status(face) != kInserted) return;
+    const Index i = in.of_face(face);
+    bool locked[D], any = false;
+    for (int c = 0; c < D; ++c) any = (locked[c] = in.active(i, c) == 0) || any;
+    if (!any) return;
+    const FaceTraction<D> t = face_traction(in.faces, in.stress, face);
+    if (onset_of(in, face).measure(t.traction, t.normal) < 1) return;
+    for (int c = 0; c < D; ++c) {
+      if (!locked[c]) continue;
+      raise(in.strained, family_at(in, face, c));
+      ++found;
+    }
+  }
+};
 
 template <int D>
 struct OnsetLoop {
@@ -17,18 +59,30 @@ struct OnsetLoop {
     const Index e = elements(k / (D + 1));
     const Index face = in.faces.of_element(e, static_cast<int>(k % (D + 1)));
     mark(k) = 0;
-    if (face == kNone || in.status(face) != 0) return;
+    if (face == kNone || in.status(face) != kBonded) return;
     // The left element asks where both are hot, so that a face is found once.
-    const Index left = in.faces.elements(face, 0), right = in.faces.elements(face, 1);
+    const Index left = in.faces.elements(face, 0);
     if (e != left && in.hot(left) != 0) return;
-    const Index law =
-        in.law_of(in.stress.material(left) * in.materials + in.stress.material(right));
+    const CohesiveOnset& onset = onset_of(in, face);
+    bool joins = false;
+    for (int c = 0; c < D; ++c) joins = joins || in.strained(family_at(in, face, c)) != 0;
+    const double share = joins && kJoining < onset.alpha ? kJoining : onset.alpha;
     const FaceTraction<D> t = face_traction(in.faces, in.stress, face);
-    if (in.laws(law).onset.reached(t.traction, t.normal)) mark(k) = 1;
+    if (onset.measure(t.traction, t.normal) >= share) mark(k) = 1;
   }
 };
 
 }  // namespace
+
+template <int D>
+Index flag_strained(const FaceOnsetIn<D>& in, const ConstArray<Index>& elements, Index count) {
+  Index found = 0;
+  count_launch();
+  Kokkos::parallel_reduce("breccia::fracture::strained",
+                          Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, count * (D + 1)),
+                          StrainedLoop<D>{in, elements}, found);
+  return found;
+}
 
 template <int D>
 Index find_onset(const FaceOnsetIn<D>& in, const ConstArray<Index>& elements, Index count,
@@ -45,6 +99,8 @@ Index find_onset(const FaceOnsetIn<D>& in, const ConstArray<Index>& elements, In
       });
 }
 
+template Index flag_strained<2>(const FaceOnsetIn<2>&, const ConstArray<Index>&, Index);
+template Index flag_strained<3>(const FaceOnsetIn<3>&, const ConstArray<Index>&, Index);
 template Index find_onset<2>(const FaceOnsetIn<2>&, const ConstArray<Index>&, Index,
                              const Array<std::uint8_t>&, const Array<Index>&);
 template Index find_onset<3>(const FaceOnsetIn<3>&, const ConstArray<Index>&, Index,

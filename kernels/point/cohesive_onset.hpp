@@ -31,12 +31,6 @@ struct CohesiveOnset {
     const double f_sh = (t_s + friction * t_n) / cohesion;  // eq:cohesive-19
     return f_te > f_sh ? f_te : f_sh;
   }
-
-  template <int D>
-  KOKKOS_FUNCTION
-  bool reached(const Vec<D>& traction, const Vec<D>& normal) const {
-    return measure(traction, normal) >= alpha;
-  }
 };
 
 }  // namespace breccia

@@ -123,7 +123,12 @@ void onset_check(benchmark::State& state) {
                           s.get<ElementHot>(),
                           to_device("breccia::perf::law_of", laws.of_materials),
                           laws.materials,
-                          to_device("breccia::perf::laws", laws.laws)};
+                          to_device("breccia::perf::laws", laws.laws),
+                          s.get<NodeFamily>(),
+                          s.get<FaceInterface>(),
+                          s.get<InterfaceActive<D>>(),
+                          Array<std::uint8_t>("breccia::perf::strained",
+                                              static_cast<std::size_t>(model.mesh.points()))};
   Kokkos::deep_copy(s.get<ElementHot>(), std::uint8_t{1});
   for_each(
       "breccia::perf::all", n, KOKKOS_LAMBDA(Index e) { hot(e) = e; });

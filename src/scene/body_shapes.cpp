@@ -92,9 +92,10 @@ BodyShape body_shape(const Settings& body, const std::filesystem::path& folder, 
   out.part_of = body.text_or("part_of", "");
   if (mesh.has("size")) out.size = mesh.number("size");
   if (shape.has("file")) {
-    const std::filesystem::path path = shape.text("file");
-    out.shape =
-        MeshFile{(path.is_absolute() ? path : folder / path).string(), shape.text_or("region", "")};
+    const std::filesystem::path path = folder / shape.text("file");  // an absolute one replaces it
+    if (!std::filesystem::is_regular_file(path))
+      throw shape.error("file", "there is no file " + path.string(), "check its name and folder");
+    out.shape = MeshFile{path.string(), shape.text_or("region", "")};
   } else if constexpr (D == 2) {
     out.shape = plane_shape(shape);
   } else {

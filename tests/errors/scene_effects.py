@@ -111,7 +111,8 @@ EFFECT_KEYS = [
 ]
 
 FILES = [
-    Case("mesh file that is not there", edit=from_file("disc.msh"), says=["disc.msh: the file cannot be read"]),
+    Case("mesh file that is not there", edit=from_file("disc.msh"), at="disc.msh",
+         says=["there is no file", "disc.msh"]),
     Case("mesh file that is damaged", edit=from_file("disc.msh"),
          files={"disc.msh": "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 4 1 4\n"},
          says=["disc.msh"]),

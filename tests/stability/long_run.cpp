@@ -91,8 +91,9 @@ void check_long_run(BlockScene scene, double speed, int steps, int interval, dou
   std::printf("%dD, %d steps: drift %.2e, ripple %.2e of the energy\n", D, steps, slope,
               (most - least) / energy[0]);
   EXPECT_LT(std::abs(slope), allowed_slope);
-  // The ripple is that of a linear body, none, plus the strain (speed over 1000 m/s) in size.
-  EXPECT_LT((most - least) / energy[0], 5e-3 * speed);
+  // The ripple is that of a linear body, none, plus the strain in size: that of neighbours, whose
+  // random velocities differ by three sigmas now and then, is some ten times speed over 1000 m/s.
+  EXPECT_LT((most - least) / energy[0], 1e-2 * speed);
 }
 
 const BlockScene kPlane{2, "[1, 1]", "[3, 3]"};

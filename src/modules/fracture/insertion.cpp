@@ -34,6 +34,7 @@ void Insertion<D>::prepare(const Model<D>& model, const InterfaceLaws& laws) {
   density_ = to_device("breccia::fracture::density", density);
   const auto families = static_cast<std::size_t>(model.store.count(Entity::family));
   touched_ = Array<std::uint8_t>("breccia::fracture::touched", families);
+  strained_ = Array<std::uint8_t>("breccia::fracture::strained", families);
   hot_ =
       allocate<Array<Index>>("breccia::fracture::hot", static_cast<std::size_t>(model.elements()));
 }
@@ -91,8 +92,14 @@ Index Insertion<D>::check(Model<D>& model) {
                           s.get<ElementHot>(),
                           law_of_,
                           table_.materials,
-                          laws_};
+                          laws_,
+                          s.get<NodeFamily>(),
+                          s.get<FaceInterface>(),
+                          s.get<InterfaceActive<D>>(),
+                          strained_};
+  const Index strained = flag_strained(in, hot_, hot);
   const Index found = find_onset(in, hot_, hot, mark_, found_);
+  if (strained > 0) Kokkos::deep_copy(strained_, std::uint8_t{0});
   if (found == 0) return 0;
   insert(model, found_, found);
   split(model);

@@ -46,7 +46,7 @@ class Insertion {
   Array<InterfaceSide> sides_;
   Array<double> density_;
   Array<Index> hot_, found_, parent_;
-  Array<std::uint8_t> mark_, touched_;
+  Array<std::uint8_t> mark_, touched_, strained_;
   StarWork<D> work_;
 };
 
