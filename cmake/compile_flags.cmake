@@ -26,6 +26,8 @@ endif()
 if(BRECCIA_CUDA)
   # Names that nvcc makes up for the host compiler.
   list(APPEND breccia_warning_flags -Wno-unused-local-typedefs)
+  # fmt 9 takes nvcc for a compiler without constexpr.
+  target_compile_definitions(breccia_flags INTERFACE FMT_USE_CONSTEXPR=1)
 endif()
 if(BRECCIA_WARNINGS_AS_ERRORS)
   list(APPEND breccia_warning_flags -Werror)
