@@ -1,4 +1,5 @@
 // The loops over interfaces: law, books, onset check, insertion with splitting.
+#include "fields/interface_fields.hpp"
 #include "harness/broken_block.hpp"
 #include "harness/report.hpp"
 #include "loops/face_onset.hpp"
