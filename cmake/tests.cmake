@@ -2,8 +2,8 @@
 #
 # One GoogleTest executable test_<area> from several sources; each TEST becomes one ctest test named
 # <area>.<Suite>.<Name>, with the label <area> and the label quick, or slow when the suite or the test has "Slow" in
-# its name. THREADS runs the whole executable once per number of threads (<area>.t2.<Suite>.<Name>); the default is one
-# run with 2. A second executable in the same area is named <area>.<name>.
+# its name. THREADS runs the whole executable with so many threads; several numbers, once for each
+# (<area>.t2.<Suite>.<Name>). The default is 2; bodies of a few hundred elements are quicker with 1. A second executable in the same area is named <area>.<name>.
 #
 # breccia_command_test(<area>.<name> COMMAND ... [LABELS quick|slow ...] [THREADS n] [TIMEOUT s] [NEEDS targets...])
 #
@@ -88,13 +88,17 @@ function(breccia_test name)
     set(BRECCIA_PCH breccia_test_pch)
   endif()
   breccia_common(${target} PRIVATE)
-  if(arg_THREADS)
-    foreach(threads IN LISTS arg_THREADS)
-      breccia_register_tests(${target} ${name}.t${threads} ${area} ${threads} "${arg_LABELS}")
-    endforeach()
-  else()
-    breccia_register_tests(${target} ${name} ${area} 2 "${arg_LABELS}")
+  if(NOT arg_THREADS)
+    set(arg_THREADS 2)
   endif()
+  list(LENGTH arg_THREADS several)
+  foreach(threads IN LISTS arg_THREADS)
+    set(prefix ${name})
+    if(several GREATER 1)
+      string(APPEND prefix .t${threads})
+    endif()
+    breccia_register_tests(${target} ${prefix} ${area} ${threads} "${arg_LABELS}")
+  endforeach()
 endfunction()
 
 function(breccia_command_test name)

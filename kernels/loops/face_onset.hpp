@@ -30,7 +30,8 @@ template <int D>
 Index flag_strained(const FaceOnsetIn<D>& in, const ConstArray<Index>& elements, Index count);
 
 /// Bonded faces of the listed elements whose traction reaches the onset (ALGORITHMS ), or
-/// kJoining of the strength beside a locked face that is beyond its own; each once, by element and local face. `mark` and `found` have room for D + 1 entries per element.
+/// kJoining of the strength beside a locked face that is beyond its own; each once, by element and
+/// local face. `mark` and `found` have room for D + 1 entries per element.
 template <int D>
 Index find_onset(const FaceOnsetIn<D>& in, const ConstArray<Index>& elements, Index count,
                  const Array<std::uint8_t>& mark, const Array<Index>& found);
