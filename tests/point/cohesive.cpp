@@ -311,6 +311,54 @@ TEST(Cohesive, DashpotsTakeEnergyAndNeverPullABrokenFace) {
 }
 
 // Slopes of the strength and lengths that numbers of the law rest on.
+/// A random walk of openings, slips and pressures of one corner until it is broken and beyond.
+template <int D, class S>
+void check_advance(unsigned seed) {
+  CohesiveSprings springs = kSprings;
+  springs.normal_damping = 3e5;
+  springs.shear_damping = 2e5;
+  const Cohesive<D, S> law{kRock, springs};
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Vec<D> t0 = Vec<D>::zero();
+  t0[0] = 6e6 * normal(random);
+  CohesiveState<D> state = encode<D, S>(kRock, springs, t0), same = state;
+  CohesiveSpent spent;
+  Vec<D> jump = Vec<D>::zero();
+  int stood = 0, moved = 0;
+  for (int i = 0; i < 3000; ++i) {
+    for (int d = 0; d < D; ++d)
+      jump[d] = 0.98 * jump[d] + (i < 1500 ? 1e-8 : 2e-6) * normal(random);
+    const auto r = law.respond(same, jump, 1e8);
+    CohesiveSpent step;
+    const Vec<D> t = law.advance(state, jump, 1e8, step);
+    (r.next.damage > same.damage || r.next.slip > same.slip ? moved : stood) += 1;
+    const double size = 1e-14 * (norm(r.traction) + springs.normal * norm(jump));
+    ASSERT_LE(norm(t - r.traction), size) << i;
+    ASSERT_EQ(state.damage, r.next.damage) << i;
+    ASSERT_EQ(state.opening, r.next.opening) << i;
+    ASSERT_EQ(state.slip, r.next.slip) << i;
+    ASSERT_EQ(step.tension, r.spent.tension) << i;
+    ASSERT_EQ(step.shear, r.spent.shear) << i;
+    ASSERT_EQ(step.friction, r.spent.friction) << i;
+    ASSERT_NEAR(step.viscous, r.spent.viscous, 1e-12 * std::abs(r.spent.viscous) + 1e-20) << i;
+    same = r.next;
+    state = same;
+  }
+  EXPECT_EQ(state.damage, 1);
+  EXPECT_GT(stood, 100);
+  EXPECT_GT(moved, 100);
+}
+
+TEST(Cohesive, TheShortWayIsTheLaw) {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    check_advance<2, LinearSoftening>(seed);
+    check_advance<3, LinearSoftening>(seed);
+    check_advance<2, ZCurve>(seed);
+    check_advance<3, ZCurve>(seed);
+  }
+}
+
 template <class S>
 void check_softening() {
   double area = 0, steepest = 0;
