@@ -113,6 +113,15 @@ class Inversion(unittest.TestCase):
         self.assertEqual(len(frames), len(series))
         self.assertAlmostEqual(series[-1]["time"], report["time"], delta=report["time_step"]["max"])
 
+    def test_load_that_is_beyond_all_numbers(self):
+        push = 'velocity = ["-50 m/s", 0]'
+        said = self.run_scene(PUSHED.replace(push, "traction = [1e305, 0]"), 1)
+        self.assertRegex(said, r"element \d+ of body 'block' has a non-finite position at time [\d.e+-]+ s")
+        self.assertIn("a load that is not finite", said)
+        report = json.loads((self.folder / "out" / "report.json").read_text())
+        self.assertEqual(report["status"], "failed")
+        self.assertTrue((self.folder / "out" / "checkpoint.h5").is_file())
+
     def test_pushed_block_is_far_from_its_end(self):
         self.run_scene(PUSHED, 1)
         report = json.loads((self.folder / "out" / "report.json").read_text())
