@@ -97,7 +97,8 @@ Index Insertion<D>::check(Model<D>& model) {
                           s.get<FaceInterface>(),
                           s.get<InterfaceActive<D>>(),
                           strained_};
-  const Index strained = flag_strained(in, hot_, hot);
+  const bool some = s.count(Entity::interface) > 0;  // else none can be locked
+  const Index strained = some ? flag_strained(in, hot_, hot) : 0;
   const Index found = find_onset(in, hot_, hot, mark_, found_);
   if (strained > 0) Kokkos::deep_copy(strained_, std::uint8_t{0});
   if (found == 0) return 0;
