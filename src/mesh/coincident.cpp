@@ -1,12 +1,12 @@
 #include "mesh/coincident.hpp"
 
+#include "core/disjoint_sets.hpp"
 #include "mesh/geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 
 namespace breccia {
 namespace {
@@ -14,23 +14,16 @@ namespace {
 /// One number per point: the smallest body of the bodies hanging together by shared points.
 template <int D>
 std::vector<Index> point_groups(const Mesh<D>& mesh) {
-  std::vector<Index> parent(mesh.body_names.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](Index b) {
-    while (parent[b] != b) b = parent[b] = parent[parent[b]];
-    return b;
-  };
+  DisjointSets bodies(mesh.body_names.size());
   std::vector<Index> group(mesh.point.size(), kNone);
   for (Index e = 0; e < mesh.elements(); ++e) {
     for (Index p : mesh.element[e]) {
       if (group[p] == kNone) group[p] = mesh.body[e];
-      const Index a = root(group[p]);
-      const Index b = root(mesh.body[e]);
-      parent[std::max(a, b)] = std::min(a, b);
+      bodies.join(group[p], mesh.body[e]);
     }
   }
   for (Index& g : group) {
-    if (g != kNone) g = root(g);
+    if (g != kNone) g = bodies.root(g);
   }
   return group;
 }

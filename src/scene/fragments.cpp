@@ -1,28 +1,18 @@
 #include "scene/fragments.hpp"
 
 #include "base/mat.hpp"
+#include "core/disjoint_sets.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace breccia {
 
 namespace {
 
-Index root_of(std::vector<Index>& parent, Index e) {
-  while (parent[e] != e) e = parent[e] = parent[parent[e]];
-  return e;
-}
-
 /// The smallest element of each connected piece, for every element.
 template <int D>
 std::vector<Index> roots(const Model<D>& model) {
-  std::vector<Index> parent(model.mesh.element.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto join = [&](Index a, Index b) {
-    const Index ra = root_of(parent, a), rb = root_of(parent, b);
-    parent[std::max(ra, rb)] = std::min(ra, rb);
-  };
+  DisjointSets pieces(model.mesh.element.size());
   std::vector<std::uint8_t> broken(model.topology.shared.size(), 0);
   if (model.store.template has<FaceStatus>()) {
     const auto status =
@@ -43,10 +33,10 @@ std::vector<Index> roots(const Model<D>& model) {
     }
   }
   for (std::size_t f = 0; f < broken.size(); ++f)
-    if (!broken[f]) join(model.topology.shared[f].left, model.topology.shared[f].right);
-  for (std::size_t e = 0; e < parent.size(); ++e)
-    parent[e] = root_of(parent, static_cast<Index>(e));
-  return parent;
+    if (!broken[f]) pieces.join(model.topology.shared[f].left, model.topology.shared[f].right);
+  std::vector<Index> root(model.mesh.element.size());
+  for (std::size_t e = 0; e < root.size(); ++e) root[e] = pieces.root(static_cast<Index>(e));
+  return root;
 }
 
 }  // namespace

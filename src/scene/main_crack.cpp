@@ -1,9 +1,10 @@
 #include "scene/main_crack.hpp"
 
+#include "core/disjoint_sets.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 namespace breccia {
 
@@ -11,36 +12,25 @@ namespace {
 
 constexpr int kReleased = 2;
 
-struct Joined {
-  std::vector<std::size_t> parent;
-  std::size_t root(std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  }
-};
-
 /// The released faces of the cluster of largest area.
 template <int D>
 std::vector<CrackFace> largest_cluster(const std::vector<CrackFace>& all) {
   std::vector<CrackFace> faces;
   for (const CrackFace& face : all)
     if (face.status == kReleased) faces.push_back(face);
-  Joined joined;
-  joined.parent.resize(faces.size());
-  std::iota(joined.parent.begin(), joined.parent.end(), std::size_t{0});
-  std::map<Index, std::size_t> first;
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    for (int c = 0; c < D; ++c) {
-      const std::size_t other = first.try_emplace(faces[i].family[c], i).first->second;
-      joined.parent[joined.root(i)] = joined.root(other);
-    }
-  std::map<std::size_t, double> area;
-  for (std::size_t i = 0; i < faces.size(); ++i) area[joined.root(i)] += faces[i].area;
+  const auto count = static_cast<Index>(faces.size());
+  DisjointSets clusters(faces.size());
+  std::map<Index, Index> first;  // face at each point of the mesh
+  for (Index i = 0; i < count; ++i)
+    for (int c = 0; c < D; ++c)
+      clusters.join(i, first.try_emplace(faces[i].family[c], i).first->second);
+  std::map<Index, double> area;
+  for (Index i = 0; i < count; ++i) area[clusters.root(i)] += faces[i].area;
   const auto best = std::max_element(
       area.begin(), area.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   std::vector<CrackFace> cluster;
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    if (joined.root(i) == best->first) cluster.push_back(faces[i]);
+  for (Index i = 0; i < count; ++i)
+    if (clusters.root(i) == best->first) cluster.push_back(faces[i]);
   return cluster;
 }
 
