@@ -14,7 +14,7 @@ using namespace breccia;
 struct Bounce {
   ContactParameters law;
   double mass = 1;
-  Vec<2> x{{0, 0}}, v;
+  Vec<2> x = Vec<2>::zero(), v = Vec<2>::zero();
   ContactState<2> state;
   double friction = 0, viscous = 0, numeric = 0;
 
