@@ -33,7 +33,7 @@ std::vector<Block> find_blocks(const Model<D>& model) {
   for (Index e = 0; e < model.mesh.elements(); ++e) {
     const Index material = model.body_material[model.mesh.body[e]];
     if (blocks.empty() || blocks.back().material != material)
-      blocks.push_back({e, e, material, {}});
+      blocks.push_back({e, e, material, 1, {}});
     blocks.back().end = e + 1;
   }
   return blocks;

@@ -21,10 +21,12 @@ struct Onset {
   double friction = 0;      ///< tangent of the friction angle
 };
 
-/// Elements [begin, end) of one material: one law per block, chosen on the host.
+/// Elements [begin, end) of one material and one kind: one law per block, chosen on the host.
 struct Block {
   Index begin = 0, end = 0;
   Index material = 0;
+  /// Sub-elements of each composite (base/composite.hpp), contiguous from `begin` on; 1: simple.
+  int group = 1;
   /// Set by whoever wants to know which elements come near an interface's strength.
   Onset watch;
 };
