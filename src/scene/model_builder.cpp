@@ -6,6 +6,7 @@
 #include "mesh/overlap.hpp"
 #include "mesh/validate.hpp"
 #include "scene/body_shapes.hpp"
+#include "scene/initial_stress.hpp"
 
 #include <algorithm>
 
@@ -90,6 +91,7 @@ void build_model(const Settings& scene, const std::filesystem::path& folder, Mod
   model.mesh = reordered(mesh, locality_order(mesh, block));
   model.topology = build_topology(model.mesh);
   model.blocks = find_blocks(model);
+  model.initial_stress = initial_stress(scene, model);
   size_store(model);
 }
 

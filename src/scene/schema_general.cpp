@@ -74,69 +74,6 @@ void declare_materials(Schema& schema) {
       .example("0.25");
 }
 
-void declare_gravity(Schema& schema) {
-  auto s = schema.section("gravity").effect("gravity").doc("A uniform acceleration of all bodies.");
-  s.vector("acceleration", unit::acceleration)
-      .required()
-      .doc("The acceleration.")
-      .example("[0, \"-9.81 m/s2\"]");
-}
-
-void declare_boundary_places(Schema& schema) {
-  auto plane = schema.section("boundary[].plane").doc("Nodes and free faces on a plane.");
-  plane.vector("point", unit::length)
-      .required()
-      .doc("A point of the plane.")
-      .example("[0, \"10 mm\"]");
-  plane.vector("normal", unit::none).required().doc("Its normal, of any length.").example("[0, 1]");
-  plane.number("tolerance", unit::length)
-      .above(0)
-      .doc("Distance that still counts; a millionth of the scene's extent if absent.")
-      .example("1 um");
-  auto box = schema.section("boundary[].box").doc("Nodes and free faces inside a box.");
-  box.vector("lower", unit::length).required().doc("Lowest corner.").example("[0, 0]");
-  box.vector("upper", unit::length)
-      .required()
-      .doc("Highest corner.")
-      .example("[\"1 mm\", \"50 mm\"]");
-}
-
-void declare_boundaries(Schema& schema) {
-  auto s = schema.section("boundary[]")
-               .effect("boundary")
-               .doc("What holds, moves or loads a part of the scene.");
-  s.text("name").unique().doc("A name, for [[sensor]] reaction and messages.").example("foot");
-  s.text("where")
-      .doc("A body, or a region of a mesh such as \"disc.rim\".")
-      .example("upper platen");
-  s.vector("velocity", unit::velocity)
-      .components_may_be("free")
-      .doc("Prescribed velocity; a free component moves as the forces tell.")
-      .example("[0, \"-0.1 m/s\"]");
-  s.vector("fixed", unit::length)
-      .between(0, 0)
-      .components_may_be("free")
-      .doc("Components that do not move (0) and those that may (\"free\").")
-      .example("[\"free\", 0]");
-  s.vector("traction", unit::pressure)
-      .doc("Force per reference area on the free faces there.")
-      .example("[0, \"-2 MPa\"]");
-  s.number("pressure", unit::pressure)
-      .doc("Pressure on the free faces there, following them; positive pushes.")
-      .example("3 MPa");
-  s.number("ramp", unit::time)
-      .above(0)
-      .doc("Time of a smooth rise from zero to the full value.")
-      .example("0.1 ms");
-  s.table("table", unit::time, unit::none)
-      .doc("Rows [time, factor] that the value is multiplied by, linear between the rows.")
-      .example("[[0, 0], [\"0.1 ms\", 1], [\"1 ms\", 0]]");
-  s.exactly_one_of({"where", "plane", "box"});
-  s.exactly_one_of({"velocity", "fixed", "traction", "pressure"});
-  s.at_most_one_of({"ramp", "table"});
-  declare_boundary_places(schema);
-}
-
 void declare_sensors(Schema& schema) {
   auto s = schema.section("sensor[]").effect("sensor").doc("What history.csv records.");
   s.text("name")
@@ -197,14 +134,13 @@ void declare_general_keys(Schema& schema) {
   declare_run(schema);
   declare_body_keys(schema);
   declare_materials(schema);
-  declare_gravity(schema);
-  declare_boundaries(schema);
+  declare_load_keys(schema);
   declare_sensors(schema);
   declare_output(schema);
   declare_checks(schema);
   schema.check(check_run_rules);
   schema.check(check_body_rules);
-  schema.check(check_place_rules);
+  schema.check(check_load_rules);
 }
 
 }  // namespace breccia

@@ -10,16 +10,6 @@ namespace breccia {
 
 namespace {
 
-bool is_zero(const std::vector<double>& v) {
-  return std::all_of(v.begin(), v.end(), [](double x) { return x == 0; });
-}
-
-void check_direction(const Settings& section, const char* key, Problems& problems) {
-  if (is_zero(section.vector(key))) {
-    problems.add(section.error(key, "has no direction; every component is zero"));
-  }
-}
-
 /// Keys that only one generator or one dimension knows.
 void check_generator(const Settings& body, int dimension, Problems& problems) {
   const Settings& mesh = body.at("mesh");
@@ -89,6 +79,12 @@ void check_shape(const Settings& body, Problems& problems) {
 
 }  // namespace
 
+void check_direction(const Settings& section, const char* key, Problems& problems) {
+  const std::vector<double>& v = section.vector(key);
+  if (std::all_of(v.begin(), v.end(), [](double x) { return x == 0; }))
+    problems.add(section.error(key, "has no direction; every component is zero"));
+}
+
 void check_run_rules(const Settings& scene, Problems& problems) {
   const Settings& run = scene.at("run");
   if (run.text("precision") == "mixed") {
@@ -116,21 +112,6 @@ void check_body_rules(const Settings& scene, Problems& problems) {
   for (const Settings& body : scene.list("body")) {
     check_shape(body, problems);
     check_mesh(body, dimension, problems);
-  }
-}
-
-void check_place_rules(const Settings& scene, Problems& problems) {
-  for (const Settings& boundary : scene.list("boundary")) {
-    if (boundary.has("plane")) check_direction(boundary.at("plane"), "normal", problems);
-    if (!boundary.has("box")) continue;
-    const Settings& box = boundary.at("box");
-    const auto &lower = box.vector("lower"), &upper = box.vector("upper");
-    for (std::size_t d = 0; d < lower.size(); ++d) {
-      if (lower[d] <= upper[d]) continue;
-      problems.add(box.error("upper", number_text(upper[d]) + " m is below lower, " +
-                                          number_text(lower[d]) + " m, along " + "xyz"[d]));
-      break;
-    }
   }
 }
 

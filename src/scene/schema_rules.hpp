@@ -6,9 +6,15 @@ namespace breccia {
 /// The keys of [[body]], its shape and its mesh.
 void declare_body_keys(Schema& schema);
 
+/// The keys of what acts on bodies: [gravity], [[boundary]], [[initial_stress]].
+void declare_load_keys(Schema& schema);
+
+/// A vector that is to be a direction must not be zero.
+void check_direction(const Settings& section, const char* key, Problems& problems);
+
 // Rules between several keys; each adds what it finds wrong to `problems`.
 void check_run_rules(const Settings& scene, Problems& problems);
 void check_body_rules(const Settings& scene, Problems& problems);
-void check_place_rules(const Settings& scene, Problems& problems);
+void check_load_rules(const Settings& scene, Problems& problems);
 
 }  // namespace breccia

@@ -1,4 +1,5 @@
 #pragma once
+#include "base/mat.hpp"
 #include "core/settings.hpp"
 #include "fields/common_fields.hpp"
 #include "fields/store.hpp"
@@ -49,6 +50,8 @@ struct Model {
   double thickness = 1;  ///< m, 2D; 1 in 3D
   bool plane_stress = false;
   Vec<D> gravity = Vec<D>::zero();  ///< m/s2
+  /// Cauchy stress of each element before anything moves, Pa; empty: none anywhere.
+  std::vector<Sym<3>> initial_stress;
   Store store;
 
   // Events that other modules answer to; they count up.

@@ -1,0 +1,150 @@
+// The keys of what acts on bodies: gravity, boundaries, stress in the ground.
+#include "core/text.hpp"
+#include "scene/schema_rules.hpp"
+
+namespace breccia {
+
+namespace {
+
+void declare_gravity(Schema& schema) {
+  auto s = schema.section("gravity").effect("gravity").doc("A uniform acceleration of all bodies.");
+  s.vector("acceleration", unit::acceleration)
+      .required()
+      .doc("The acceleration.")
+      .example("[0, \"-9.81 m/s2\"]");
+}
+
+void declare_plane(Schema& schema, const std::string& section) {
+  auto plane = schema.section(section + ".plane").doc("Nodes and free faces on a plane.");
+  plane.vector("point", unit::length)
+      .required()
+      .doc("A point of the plane.")
+      .example("[0, \"10 mm\"]");
+  plane.vector("normal", unit::none).required().doc("Its normal, of any length.").example("[0, 1]");
+  plane.number("tolerance", unit::length)
+      .above(0)
+      .doc("Distance that still counts; a millionth of the scene's extent if absent.")
+      .example("1 um");
+}
+
+void declare_box(Schema& schema, const std::string& section, const char* doc) {
+  auto box = schema.section(section + ".box").doc(doc);
+  box.vector("lower", unit::length).required().doc("Lowest corner.").example("[0, 0]");
+  box.vector("upper", unit::length)
+      .required()
+      .doc("Highest corner.")
+      .example("[\"1 mm\", \"50 mm\"]");
+}
+
+void declare_boundaries(Schema& schema) {
+  auto s = schema.section("boundary[]")
+               .effect("boundary")
+               .doc("What holds, moves or loads a part of the scene.");
+  s.text("name").unique().doc("A name, for [[sensor]] reaction and messages.").example("foot");
+  s.text("where")
+      .doc("A body, or a region of a mesh such as \"disc.rim\".")
+      .example("upper platen");
+  s.vector("velocity", unit::velocity)
+      .components_may_be("free")
+      .doc("Prescribed velocity; a free component moves as the forces tell.")
+      .example("[0, \"-0.1 m/s\"]");
+  s.vector("fixed", unit::length)
+      .between(0, 0)
+      .components_may_be("free")
+      .doc("Components that do not move (0) and those that may (\"free\").")
+      .example("[\"free\", 0]");
+  s.vector("traction", unit::pressure)
+      .doc("Force per reference area on the free faces there.")
+      .example("[0, \"-2 MPa\"]");
+  s.number("pressure", unit::pressure)
+      .doc("Pressure on the free faces there, following them; positive pushes.")
+      .example("3 MPa");
+  s.number("ramp", unit::time)
+      .above(0)
+      .doc("Time of a smooth rise from zero to the full value.")
+      .example("0.1 ms");
+  s.table("table", unit::time, unit::none)
+      .doc("Rows [time, factor] that the value is multiplied by, linear between the rows.")
+      .example("[[0, 0], [\"0.1 ms\", 1], [\"1 ms\", 0]]");
+  s.exactly_one_of({"where", "plane", "box"});
+  s.exactly_one_of({"velocity", "fixed", "traction", "pressure"});
+  s.at_most_one_of({"ramp", "table"});
+  declare_plane(schema, "boundary[]");
+  declare_box(schema, "boundary[]", "Nodes and free faces inside a box.");
+}
+
+void declare_initial_stress(Schema& schema) {
+  auto s =
+      schema.section("initial_stress[]")
+          .effect("solid")
+          .doc("Stress that the ground carries before anything moves; everywhere, or in a part.");
+  s.text("where").doc("A body, or a region with elements.").example("rock");
+  s.numbers("stress", unit::pressure)
+      .required()
+      .doc(
+          "Cauchy stress at `datum`, tension positive: [xx, yy, zz, xy], in space [xx, yy, zz, xy, "
+          "yz, xz].")
+      .example("[\"-5 MPa\", \"-10 MPa\", \"-5 MPa\", 0]");
+  s.numbers("gradient", unit::interface_stiffness)
+      .doc("Growth of each component along `axis`; none if absent.")
+      .example("[\"13 kPa/m\", \"26 kPa/m\", \"13 kPa/m\", 0]");
+  s.choice("axis", {"x", "y", "z"}).doc("Axis along which the stress grows.").example("y");
+  s.number("datum", unit::length)
+      .by_default("0 m")
+      .doc("Coordinate along `axis` where the stress is `stress`.")
+      .example("120 m");
+  s.at_most_one_of({"where", "box"});
+  declare_box(schema, "initial_stress[]", "Elements whose centroids lie in a box.");
+}
+
+void check_box(const Settings& section, Problems& problems) {
+  if (!section.has("box")) return;
+  const Settings& box = section.at("box");
+  const auto &lower = box.vector("lower"), &upper = box.vector("upper");
+  for (std::size_t d = 0; d < lower.size(); ++d) {
+    if (lower[d] <= upper[d]) continue;
+    problems.add(box.error("upper", number_text(upper[d]) + " m is below lower, " +
+                                        number_text(lower[d]) + " m, along " + "xyz"[d]));
+    break;
+  }
+}
+
+void check_stress(const Settings& section, std::size_t dimension, Problems& problems) {
+  const std::size_t wanted = dimension == 2 ? 4 : 6;
+  for (const char* key : {"stress", "gradient"}) {
+    if (!section.has(key) || section.vector(key).size() == wanted) continue;
+    problems.add(section.error(key,
+                               std::to_string(section.vector(key).size()) +
+                                   " components; a stress has " + std::to_string(wanted) +
+                                   (dimension == 2 ? " in the plane" : " in space"),
+                               dimension == 2 ? "[xx, yy, zz, xy]" : "[xx, yy, zz, xy, yz, xz]"));
+  }
+  if (section.has("gradient") && !section.has("axis"))
+    problems.add(section.error("gradient", "along which axis?", "add axis = \"y\""));
+  if (section.has("axis") && !section.has("gradient"))
+    problems.add(section.error("axis", "nothing grows along it", "add a gradient"));
+  if (dimension == 2 && section.text_or("axis", "x") == "z")
+    problems.add(section.error("axis", "there is no z in the plane", "x or y"));
+}
+
+}  // namespace
+
+void declare_load_keys(Schema& schema) {
+  declare_gravity(schema);
+  declare_boundaries(schema);
+  declare_initial_stress(schema);
+}
+
+void check_load_rules(const Settings& scene, Problems& problems) {
+  for (const Settings& boundary : scene.list("boundary")) {
+    if (boundary.has("plane")) check_direction(boundary.at("plane"), "normal", problems);
+    check_box(boundary, problems);
+  }
+  const auto dimension = static_cast<std::size_t>(scene.at("run").integer("dimension"));
+  for (const Settings& section : scene.list("initial_stress")) {
+    check_box(section, problems);
+    check_stress(section, dimension, problems);
+  }
+}
+
+}  // namespace breccia

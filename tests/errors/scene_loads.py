@@ -1,0 +1,43 @@
+"""What acts on bodies, given wrongly: stress in the ground, rest, boundaries that absorb."""
+
+from cases import Case
+
+CHECK = '[[check]]\nname      = "drift"'
+
+
+def add(text):
+    """Puts a section before the check of PLANE."""
+    return [(CHECK, text + CHECK)]
+
+
+def stress(keys):
+    return add(f"[[initial_stress]]\n{keys}\n")
+
+
+FOUR = "stress = [-1, -2, -1, 0]"
+
+STRESS = [
+    Case("stress with three components", edit=stress("stress = [-1, -2, 0]"), at="[-1, -2, 0]",
+         says=["initial_stress.0.stress: 3 components; a stress has 4 in the plane",
+               "[xx, yy, zz, xy]"]),
+    Case("stress without stress", edit=stress('where = "block"'),
+         says=["initial_stress.0.stress: is missing"]),
+    Case("stress that grows nowhere", edit=stress(FOUR + "\ngradient = [1, 1, 1, 0]"),
+         at="gradient", says=["along which axis?", 'add axis = "y"']),
+    Case("axis for nothing", edit=stress(FOUR + '\naxis = "y"'), at='axis = "y"',
+         says=["nothing grows along it"]),
+    Case("growth out of the plane",
+         edit=stress(FOUR + '\ngradient = [1, 1, 1, 0]\naxis = "z"'), at='axis = "z"',
+         says=["there is no z in the plane"]),
+    Case("stress of a body that is not there", edit=stress(FOUR + '\nwhere = "blok"'),
+         at='"blok"', says=["no body or region is called 'blok'. Did you mean 'block'?"]),
+    Case("stress of a side", edit=stress(FOUR + '\nwhere = "block.top"'), at='"block.top"',
+         says=["no element lies there", "a region with elements"]),
+    Case("stress of an empty box",
+         edit=stress(FOUR + '\nbox = { lower = [1, 1], upper = [2, 2] }'),
+         says=["no node of the mesh lies there"]),
+    Case("stress twice", edit=stress(FOUR + '\nwhere = "block"\n[[initial_stress]]\n' + FOUR),
+         says=["is given a stress twice", "that of the one at scene.toml:"]),
+]
+
+CASES = STRESS
