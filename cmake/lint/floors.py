@@ -13,7 +13,7 @@ SOURCE = {
     "mesh": {"base", "core", "fields"},
     "comm": BELOW_S3,
     "io": BELOW_S3,
-    "step": BELOW_S3,
+    "step": BELOW_S3 | {"point"},  # materials hold the parameters of laws
 }
 MODULE = BELOW_S3 | {"step", "point", "loops"}
 SCENE = MODULE | {"comm", "io", "modules"}

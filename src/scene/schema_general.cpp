@@ -45,35 +45,6 @@ void declare_run(Schema& schema) {
       .doc("Seed of everything random; the same seed gives the same bits.");
 }
 
-void declare_materials(Schema& schema) {
-  auto s = schema.section("material.*")
-               .required()
-               .effect("solid")
-               .doc("A material; [[body]] material names it.");
-  s.number("density", unit::density)
-      .above(0)
-      .required()
-      .doc("Mass per volume.")
-      .example("2650 kg/m3");
-  s.number("damping", unit::none)
-      .between(0, 2)
-      .by_default(0.0)
-      .doc("Kelvin damping as a share of critical at the highest mode of each element.")
-      .example("0.02");
-  auto elastic = schema.section("material.*.elastic").required().doc("Isotropic elasticity.");
-  elastic.number("young", unit::pressure)
-      .above(0)
-      .required()
-      .doc("Young's modulus.")
-      .example("60 GPa");
-  elastic.number("poisson", unit::none)
-      .above(-1)
-      .below(0.5)
-      .required()
-      .doc("Poisson's ratio.")
-      .example("0.25");
-}
-
 void declare_sensors(Schema& schema) {
   auto s = schema.section("sensor[]").effect("sensor").doc("What history.csv records.");
   s.text("name")
@@ -133,7 +104,7 @@ void declare_general_keys(Schema& schema) {
   declare_top(schema);
   declare_run(schema);
   declare_body_keys(schema);
-  declare_materials(schema);
+  declare_material_keys(schema);
   declare_load_keys(schema);
   declare_sensors(schema);
   declare_output(schema);
@@ -141,6 +112,7 @@ void declare_general_keys(Schema& schema) {
   schema.check(check_run_rules);
   schema.check(check_body_rules);
   schema.check(check_load_rules);
+  schema.check(check_material_rules);
 }
 
 }  // namespace breccia

@@ -11,10 +11,13 @@ void declare_load_keys(Schema& schema);
 
 /// A vector that is to be a direction must not be zero.
 void check_direction(const Settings& section, const char* key, Problems& problems);
+/// The keys of [material.NAME] with its laws.
+void declare_material_keys(Schema& schema);
 
 // Rules between several keys; each adds what it finds wrong to `problems`.
 void check_run_rules(const Settings& scene, Problems& problems);
 void check_body_rules(const Settings& scene, Problems& problems);
 void check_load_rules(const Settings& scene, Problems& problems);
+void check_material_rules(const Settings& scene, Problems& problems);
 
 }  // namespace breccia
