@@ -6,13 +6,14 @@ namespace breccia {
 /// The keys of [[body]], its shape and its mesh.
 void declare_body_keys(Schema& schema);
 
+/// The keys of [material.NAME] with its laws.
+void declare_material_keys(Schema& schema);
+
 /// The keys of what acts on bodies: [gravity], [[boundary]], [[initial_stress]].
 void declare_load_keys(Schema& schema);
 
 /// A vector that is to be a direction must not be zero.
 void check_direction(const Settings& section, const char* key, Problems& problems);
-/// The keys of [material.NAME] with its laws.
-void declare_material_keys(Schema& schema);
 
 // Rules between several keys; each adds what it finds wrong to `problems`.
 void check_run_rules(const Settings& scene, Problems& problems);
