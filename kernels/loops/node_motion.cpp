@@ -30,6 +30,10 @@ struct NodeMotionLoop {
     Vec<D> total = f.element + weight;
     for (int c = 0; c < kExtraClasses; ++c) total += f.extra[c];
 
+    Vec<D> drag = Vec<D>::zero();
+    if (in.resisting > 0) drag = resist(flags, v, total);
+    total += drag;
+
     Vec<D> v_new = v + total * (in.kick / m);
     Vec<D> reaction = Vec<D>::zero();
     if ((flags & in.fixed_bits) != 0) hold(n, flags, m, v, total, v_new, reaction);
@@ -39,6 +43,7 @@ struct NodeMotionLoop {
     for (int c = 0; c < kExtraClasses; ++c) work[1 + c] += dot(f.extra[c], way);
     work[4] += dot(weight, way);
     work[5] += dot(reaction, way);
+    if (in.resisting > 0) work[6] += dot(drag, way);
     set_row<D>(out.v, n, v_new);
     set_row<D>(out.x, n, row<D>(out.x, n) + v_new * in.dt);
   }
@@ -94,6 +99,17 @@ struct NodeMotionLoop {
       for (int c = 0; c < kExtraClasses; ++c)
         for (int d = 0; d < D; ++d) f.extra[c][d] += share[c] * base[c][at + d];
     }
+  }
+
+  KOKKOS_FUNCTION
+  Vec<D> resist(std::uint32_t flags, const Vec<D>& v, const Vec<D>& total) const {
+    Vec<D> drag = Vec<D>::zero();
+    for (int d = 0; d < D; ++d) {
+      if ((flags & in.fixed_bits & (1u << d)) != 0 || v[d] == 0) continue;
+      const double size = in.resisting * Kokkos::abs(total[d]);
+      drag[d] = v[d] > 0 ? -size : size;
+    }
+    return drag;
   }
 
   KOKKOS_FUNCTION

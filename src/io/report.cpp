@@ -32,6 +32,10 @@ void put_counts(JsonWriter& json, const Report& r) {
   json.member("bonded", r.interfaces.bonded).member("inserted", r.interfaces.inserted);
   json.member("released", r.interfaces.released).end_object();
   json.member("fragments", r.fragments);
+  if (!r.rest.wanted) return;
+  json.key("rest").begin_object();
+  json.member("reached", r.rest.reached).member("time", r.rest.time);
+  json.member("unbalance", r.rest.unbalance).member("motion", r.rest.motion).end_object();
 }
 
 void put_ledger(JsonWriter& json, const Report& r) {

@@ -20,6 +20,12 @@ struct Report {
   struct Interfaces {
     std::int64_t bonded = 0, inserted = 0, released = 0;
   };
+  /// Of a run that was to come to rest.
+  struct Rest {
+    bool wanted = false, reached = false;
+    double time = kNone;                       ///< [s] when
+    double unbalance = kNone, motion = kNone;  ///< shares of forces and energies at the last look
+  };
   struct Effect {
     std::string name;
     double seconds = 0;
@@ -52,6 +58,7 @@ struct Report {
   TimeStep time_step;
   Interfaces interfaces;
   std::int64_t fragments = 0;
+  Rest rest;
   std::vector<std::pair<std::string, double>>
       ledger;                           ///< [J] energies by their name in A-13.8, in order
   double res_1 = kNone, res_2 = kNone;  ///< relative residuals of the ledger (A-8.6)

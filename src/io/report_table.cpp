@@ -63,6 +63,10 @@ void print_run(const Report& r, std::ostream& out) {
                 static_cast<long long>(i.released))
         << r.fragments << (r.fragments == 1 ? " fragment\n" : " fragments\n");
   }
+  if (r.rest.wanted)
+    out << (r.rest.reached ? form("  rest        at %.6g s", r.rest.time)
+                           : std::string("  rest        not reached"))
+        << form("; largest net force %.2g of the mean on a corner\n", r.rest.unbalance);
   out << "  machine     " << r.backend
       << form(", %d thread%s", r.threads, r.threads == 1 ? "" : "s")
       << form(", %d rank%s, ", r.ranks, r.ranks == 1 ? "" : "s") << r.precision << " precision\n";

@@ -5,6 +5,7 @@
 #include "modules/fracture/fracture.hpp"
 #include "modules/gravity/gravity.hpp"
 #include "modules/motion/motion.hpp"
+#include "modules/rest/rest.hpp"
 #include "modules/sensor/sensor.hpp"
 #include "modules/solid/solid.hpp"
 
@@ -21,6 +22,8 @@ std::vector<std::unique_ptr<Module<D>>> make_modules(const Settings& scene) {
   // In space the schema refuses [contact].
   if constexpr (D == 2)
     if (Contact<2>::wanted(scene)) list.push_back(std::make_unique<Contact<2>>());
+  // Behind all that exert forces: it looks at their sum.
+  if (RestModule<D>::wanted(scene)) list.push_back(std::make_unique<RestModule<D>>());
   if (Sensor<D>::wanted(scene)) list.push_back(std::make_unique<Sensor<D>>());
   return list;
 }
@@ -28,6 +31,7 @@ std::vector<std::unique_ptr<Module<D>>> make_modules(const Settings& scene) {
 void declare_module_keys(Schema& schema) {
   declare_fracture_keys(schema);
   declare_contact_keys(schema);
+  declare_rest_keys(schema);
 }
 
 std::vector<EffectState> effects_of(const Settings& scene) {
@@ -37,6 +41,7 @@ std::vector<EffectState> effects_of(const Settings& scene) {
           {"boundary", Boundary<2>::wanted(scene)},
           {"fracture", Fracture<2>::wanted(scene)},
           {"contact", Contact<2>::wanted(scene)},
+          {"rest", RestModule<2>::wanted(scene)},
           {"sensor", Sensor<2>::wanted(scene)}};
 }
 

@@ -61,6 +61,12 @@ Report make_report(Simulation<D>& simulation, const Recorder<D>& recorder, const
   const Counts counts = simulation.counts();
   report.interfaces = {counts.bonded, counts.inserted, counts.released};
   report.fragments = static_cast<std::int64_t>(recorder.last_fragments());
+  const Rest& rest = simulation.model().rest;
+  report.rest.wanted = rest.wanted;
+  report.rest.reached = rest.reached;
+  if (rest.reached) report.rest.time = rest.time;
+  report.rest.unbalance = rest.unbalance;
+  report.rest.motion = rest.motion;
   const Ledger& ledger = recorder.last_ledger();
   report.ledger.emplace_back("KE", ledger.kinetic);
   report.ledger.emplace_back("W_ext", ledger.external());

@@ -101,6 +101,8 @@ class Run {
     while (simulation_.clock().time < end) {
       simulation_.step(end, watchers);
       if (simulation_.model().stop.raised) break;
+      const Rest& rest = simulation_.model().rest;
+      if (rest.reached && rest.stops) break;
       if (interrupted()) {
         interrupted_ = true;
         break;
@@ -138,6 +140,12 @@ class Run {
     } else {
       status_ = "complete";
       checkpoint(wall_loop_);
+      const Rest& rest = simulation_.model().rest;
+      if (rest.wanted && !rest.reached)
+        log::warning(
+            fmt::format("the scene has not come to rest: largest net force {:.2g} of the "
+                        "mean force on a corner; give it a longer run.duration",
+                        rest.unbalance));
     }
     recorder_->expect_last();
     simulation_.close({[this] { recorder_->before(); }, [this] { recorder_->after(); }});

@@ -40,6 +40,11 @@ Simulation<D>::Simulation(const Settings& scene, const std::filesystem::path& fo
     : scene_(&scene) {
   build_model(scene, folder, model_);
   modules_ = make_modules<D>(scene);
+  model_.stored_energy = [this] {
+    Ledger ledger;
+    for (const auto& module : modules_) module->book(model_, ledger);
+    return ledger.stored();
+  };
   for (const auto& module : modules_)
     if (auto* motion = dynamic_cast<Motion<D>*>(module.get())) motion_ = motion;
   motion_->set_initial_velocity(initial_velocity(scene, model_));
@@ -74,9 +79,7 @@ void Simulation<D>::start() {
   model_.step_is_stale = false;
   next_renewal_ = steps_to_next(first, clock_.dt);
   kinetic_start_ = motion_->kinetic_energy(model_);
-  Ledger ledger;
-  for (const auto& module : modules_) module->book(model_, ledger);
-  stored_start_ = ledger.stored();
+  stored_start_ = model_.stored_energy();
 }
 
 template <int D>
@@ -151,8 +154,17 @@ void Simulation<D>::record(const StableStep& stable) {
 }
 
 template <int D>
+void Simulation<D>::stop_motion() {
+  Clock now = clock_;
+  now.dt = 0;
+  plan_.run(Stage::assemble, Stage::observe, now);
+  clock_.dt_before = 0;
+}
+
+template <int D>
 void Simulation<D>::step(double end, const Watchers& watchers) {
   plan_.run(Stage::search, Stage::split, clock_);
+  if (model_.rest.due) stop_motion();
   choose_step();
   const double whole = clock_.dt;
   // The last step ends on time; a sliver of a step is joined to the one before it.

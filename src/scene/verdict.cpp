@@ -85,6 +85,9 @@ Numbers result_numbers(const Report& report, const MainCrack& crack) {
           {"crack.x", crack.centre[0]},
           {"crack.y", crack.centre[1]},
           {"crack.z", crack.centre[2]},
+          {"rest.reached", report.rest.reached ? 1.0 : 0.0},
+          {"rest.time", report.rest.time},
+          {"rest.unbalance", report.rest.unbalance},
           {"res_1", report.res_1},
           {"res_2", report.res_2}};
 }

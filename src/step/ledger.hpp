@@ -5,7 +5,16 @@
 namespace breccia {
 
 /// Classes of force whose work is booked step by step (level 1 of ALGORITHMS ).
-enum class ForceClass { element, interface, contact, load, gravity, constraint, count_ };
+enum class ForceClass {
+  element,
+  interface,
+  contact,
+  load,
+  gravity,
+  constraint,
+  relaxation,
+  count_
+};
 inline constexpr int kForceClasses = static_cast<int>(ForceClass::count_);
 
 /// What an energy of level 2 is.

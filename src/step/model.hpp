@@ -8,6 +8,7 @@
 #include "step/material.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -38,6 +39,20 @@ struct Stop {
   std::string cause;  ///< what happened, where and when, and the likely cause
 };
 
+/// A run that is to come to rest ([run.rest]).
+struct Rest {
+  bool wanted = false, reached = false;
+  bool stops = false;  ///< the run ends where rest is reached
+  /// Raised before the forces of a step: velocities are brought to t^n, taken away, and the step
+  /// begins with half a kick, like the first one.
+  bool due = false;
+  double share = 0;      ///< of the net force on a node that resists its motion
+  double time = 0;       ///< s, when rest was reached
+  double unbalance = 0;  ///< largest net force over mean corner force at the last look
+  double motion = 0;     ///< kinetic over stored energy when it was looked at last
+  double taken = 0;      ///< J, kinetic energy of nodes that were held still
+};
+
 /// Everything that modules share: the scene, the mesh on the host, the fields on the device.
 template <int D>
 struct Model {
@@ -60,6 +75,8 @@ struct Model {
   /// Raised by whoever makes the stable step smaller (insertion, new contact candidates).
   bool step_is_stale = true;
   Stop stop;
+  Rest rest;
+  std::function<double()> stored_energy;  ///< of all modules now, J; not for every step
 
   Index nodes() const { return store.count(Entity::node); }
   Index elements() const { return mesh.elements(); }

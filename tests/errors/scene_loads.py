@@ -40,4 +40,24 @@ STRESS = [
          says=["is given a stress twice", "that of the one at scene.toml:"]),
 ]
 
-CASES = STRESS
+DURATION = 'duration  = "10 us"'
+
+
+def run(keys):
+    return [(DURATION, DURATION + "\n" + keys)]
+
+
+REST = [
+    Case("rest by magic", edit=run('rest = { method = "magic" }'), at="magic",
+         says=['"magic" is not known', "choices: kinetic, local"]),
+    Case("rest that tolerates all", edit=run("rest = { tolerance = 1 }"), at="tolerance = 1 }",
+         says=["1 is out of range; allowed: above 0 and below 1"]),
+    Case("rest of all resistance", edit=run('rest = { method = "local", share = 1.5 }'),
+         at="share", says=["1.5 is out of range; allowed: above 0 and below 1"]),
+    Case("share without resistance", edit=run("rest = { share = 0.5 }"), at="share",
+         says=["run.rest.share: is for the method \"local\""]),
+    Case("rest after the run", edit=run('rest = { after = "1 ms" }'), at="after",
+         says=["run.rest.after: 0.001 s is beyond the run (duration 1e-05 s)"]),
+]
+
+CASES = STRESS + REST

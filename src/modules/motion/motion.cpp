@@ -163,6 +163,7 @@ void Motion<D>::move(Model<D>& model, const Clock& clock) {
   in.mass = s.get<NodeMass>();
   in.boundary_velocity = s.get_or_empty<BoundaryVelocity<D>>();
   in.gravity = model.gravity;
+  in.resisting = model.rest.share;
   in.dt = clock.dt;
   in.kick = clock.kick();
   in.fixed_bits = node_flag::fixed_any;
@@ -210,11 +211,18 @@ double Motion<D>::kinetic_energy(const Model<D>& model) const {
 }
 
 template <int D>
+Sums<kWorks> Motion<D>::works(const Model<D>& model) const {
+  Sums<kWorks> work = total_of(work_);
+  work[static_cast<int>(ForceClass::relaxation)] -= model.rest.taken;
+  return work;
+}
+
+template <int D>
 void Motion<D>::book_before(const Model<D>& model, Ledger& ledger) {
   Store& s = const_cast<Model<D>&>(model).store;
   s.add<NodeVelocityBefore<D>>(key());
   Kokkos::deep_copy(s.get<NodeVelocityBefore<D>>(), s.get<NodeVelocity<D>>());
-  const Sums<kWorks> work = total_of(work_);
+  const Sums<kWorks> work = works(model);
   for (int k = 0; k < kWorks; ++k) ledger.work_middle[k] = work[k];
 }
 
@@ -236,11 +244,13 @@ void Motion<D>::book_after(const Model<D>& model, const Clock& clock, Ledger& le
   const int moment = clock.dt_before == 0 ? 0 : clock.dt == 0 ? 2 : 1;
   ledger.kinetic = kinetic[moment];
   ledger.kinetic_half = kinetic[2];
-  const Sums<kWorks> work = total_of(work_);
+  const Sums<kWorks> work = works(model);
   for (int k = 0; k < kWorks; ++k) {
     ledger.work[k] = work[k];
     ledger.work_middle[k] += 0.5 * moment * (work[k] - ledger.work_middle[k]);
   }
+  const auto spent = [&ledger](ForceClass c) { return -ledger.work_middle[static_cast<int>(c)]; };
+  if (model.rest.wanted) ledger.add("RELAX", EnergyKind::dissipated, spent(ForceClass::relaxation));
 }
 
 template <int D>

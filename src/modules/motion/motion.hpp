@@ -41,6 +41,7 @@ class Motion final : public Module<D> {
   void move(Model<D>& model, const Clock& clock);
   void make_corners(Model<D>& model);
   void size_work(const Model<D>& model);
+  Sums<kWorks> works(const Model<D>& model) const;
 
   std::vector<double> initial_;
   std::vector<double> volume_;  ///< m3 of each element, while the start state is made
