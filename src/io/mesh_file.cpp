@@ -2,12 +2,14 @@
 
 #include "io/hdf5_file.hpp"
 
+#include <cmath>
 #include <fstream>
 
 namespace breccia {
 namespace {
 
-constexpr std::int64_t kVersion = 1;
+/// Version 2 has curved edges; a file without them stays readable for older builds.
+constexpr std::int64_t kVersion = 2;
 constexpr const char* kFormat = "breccia mesh";
 constexpr const char* kRemedy =
     "write it again with `breccia mesh SCENE -o FILE`, or give another mesh file";
@@ -126,10 +128,10 @@ void check_heading(const H5Reader& file) {
     refuse_file(file.path(), "it is an HDF5 file, but no Breccia mesh");
   }
   const auto version = file.integer_attribute("", "version");
-  if (version.size() != 1 || version[0] != kVersion) {
+  if (version.size() != 1 || version[0] < 1 || version[0] > kVersion) {
     refuse_file(file.path(), "it is a mesh of format version " +
                                  (version.empty() ? "none" : std::to_string(version[0])) +
-                                 "; this build reads version " + std::to_string(kVersion));
+                                 "; this build reads versions 1 to " + std::to_string(kVersion));
   }
   const auto dimension = file.integer_attribute("", "dimension");
   if (dimension.size() != 1 || dimension[0] != D) {
@@ -154,6 +156,32 @@ std::vector<std::array<T, Width>> read_rows(const H5Reader& file, const std::str
 template <class T, std::size_t Width>
 ArrayView view_of_rows(const std::vector<std::array<T, Width>>& rows) {
   return {{data_type_of<T>(), {rows.size(), Width}}, rows.data()};
+}
+
+template <int D>
+void write_curved(H5Writer& file, const Mesh<D>& mesh) {
+  std::vector<Edge> edges;
+  std::vector<Point<D>> middles;
+  for (const auto& [edge, middle] : mesh.curved) {
+    edges.push_back(edge);
+    middles.push_back(middle);
+  }
+  file.write("curved_edges", view_of_rows(edges));
+  file.write("curved_points", view_of_rows(middles));
+}
+
+template <int D>
+void read_curved(const H5Reader& file, Mesh<D>& mesh) {
+  const auto edges = read_rows<Index, 2>(file, "curved_edges");
+  const auto middles = read_rows<double, D>(file, "curved_points");
+  bool good = edges.size() == middles.size();
+  for (std::size_t n = 0; good && n < edges.size(); ++n) {
+    const auto [a, b] = edges[n];
+    good = a >= 0 && a < b && b < mesh.points();
+    for (double c : middles[n]) good = good && std::isfinite(c);
+    mesh.curved[edges[n]] = middles[n];
+  }
+  if (!good) refuse_file(file.path(), "\"curved_edges\" and \"curved_points\" do not fit");
 }
 
 /// A number outside its range would lead a later reader of the mesh out of bounds.
@@ -183,13 +211,15 @@ template <int D>
 void write_mesh(const Mesh<D>& mesh, const std::string& path) {
   H5Writer file(path);
   file.attribute("", "format", kFormat);
-  file.attribute("", "version", std::array<std::int64_t, 1>{kVersion});
+  const std::int64_t version = mesh.curved.empty() ? 1 : kVersion;
+  file.attribute("", "version", std::array<std::int64_t, 1>{version});
   file.attribute("", "dimension", std::array<std::int64_t, 1>{D});
   file.write("points", view_of_rows(mesh.point));
   file.write("elements", view_of_rows(mesh.element));
   file.write("bodies", view_of(mesh.body));
   file.write_text("body_names", joined(mesh.body_names));
   write_regions(file, mesh);
+  if (!mesh.curved.empty()) write_curved(file, mesh);
   file.commit();
 }
 
@@ -203,6 +233,7 @@ Mesh<D> read_mesh(const std::string& path) {
   mesh.body = file.read<Index>("bodies");
   mesh.body_names = lines_of(file.read_text("body_names"));
   read_regions(file, mesh);
+  if (file.has("curved_edges")) read_curved(file, mesh);
   check_numbers(file, mesh);
   return mesh;
 }

@@ -84,6 +84,10 @@ Part<D> cut_out(const Mesh<D>& from, const std::vector<Index>& owner) {
     part.mesh.element.push_back(nodes);
     part.mesh.body.push_back(owner[e]);
   }
+  for (const auto& [edge, middle] : from.curved) {
+    const Index a = part.point[edge[0]], b = part.point[edge[1]];
+    if (a != kNone && b != kNone) part.mesh.curved[edge_of(a, b)] = middle;
+  }
   return part;
 }
 

@@ -108,22 +108,6 @@ void set_sizes(std::span<const BodyShape* const> bodies, const GmshAssembly& ass
   });
 }
 
-/// Corners of a Gmsh element type, or 0 for types that we do not take.
-int corners_of_type(int type) {
-  switch (type) {
-    case 15:
-      return 1;
-    case 1:
-      return 2;
-    case 2:
-      return 3;
-    case 4:
-      return 4;
-    default:
-      return 0;
-  }
-}
-
 /// Points of the current Gmsh model, and their numbers by Gmsh's tag.
 std::vector<Index> take_points(double scale, RawMesh& raw) {
   std::vector<std::size_t> tags;
@@ -147,14 +131,19 @@ std::vector<Index> take_elements(const Tag& entity, const std::vector<Index>& nu
   gmsh::model::mesh::getElements(types, tags, nodes, entity.first, entity.second);
   std::vector<Index> taken;
   for (std::size_t t = 0; t < types.size(); ++t) {
-    const int corners = corners_of_type(types[t]);
-    if (corners == 0) {
-      refuse(place, "it has elements of Gmsh type " + std::to_string(types[t]),
-             "mesh with first-order triangles or tetrahedra only");
+    const GmshType type = gmsh_type(types[t]);
+    if (type.dimension < 0) {
+      refuse(place, "it has elements of Gmsh type " + std::to_string(types[t]), kTypesTaken);
     }
+    const int count = type.dimension + 1 + type.middles;
     for (std::size_t e = 0; e < tags[t].size(); ++e) {
-      RawElement element{corners - 1, {}};
-      for (int a = 0; a < corners; ++a) element.point[a] = number[nodes[t][corners * e + a]];
+      const auto node = [&](int a) { return number[nodes[t][count * e + a]]; };
+      RawElement element{type.dimension, {}};
+      for (int a = 0; a <= type.dimension; ++a) element.point[a] = node(a);
+      for (int m = 0; m < type.middles; ++m) {
+        const auto [a, b] = type.edge[m];
+        add_middle(raw, node(a), node(b), node(type.dimension + 1 + m), place);
+      }
       taken.push_back(static_cast<Index>(raw.element.size()));
       raw.element.push_back(element);
     }
@@ -186,6 +175,7 @@ void drop_unused_points(RawMesh& raw) {
   for (const RawElement& element : raw.element) {
     for (int a = 0; a <= element.dimension; ++a) number[element.point[a]] = 0;
   }
+  for (const auto& [edge, middle] : raw.middle) number[middle] = 0;
   std::vector<Point<3>> kept;
   for (std::size_t p = 0; p < number.size(); ++p) {
     if (number[p] == kNone) continue;
@@ -195,6 +185,11 @@ void drop_unused_points(RawMesh& raw) {
   for (RawElement& element : raw.element) {
     for (int a = 0; a <= element.dimension; ++a) element.point[a] = number[element.point[a]];
   }
+  std::map<Edge, Index> middles;  // points keep their order, so edges keep theirs
+  for (const auto& [edge, middle] : raw.middle) {
+    middles.emplace_hint(middles.end(), Edge{number[edge[0]], number[edge[1]]}, number[middle]);
+  }
+  raw.middle = std::move(middles);
   raw.point = std::move(kept);
 }
 
@@ -212,6 +207,7 @@ RawMesh gmsh_mesh(int dimension, std::span<const BodyShape* const> bodies) {
     gmsh::option::setNumber("Mesh.RandomSeed", bodies[0]->seed);
     gmsh::model::mesh::generate(dimension);
     gmsh::model::mesh::removeSizeCallback();
+    if (bodies[0]->curved) gmsh::model::mesh::setOrder(2);
     RawMesh raw;
     const auto number = take_points(scale, raw);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -226,7 +222,7 @@ RawMesh gmsh_mesh(int dimension, std::span<const BodyShape* const> bodies) {
   });
 }
 
-RawMesh gmsh_open(const std::string& path, int dimension, double size) {
+RawMesh gmsh_open(const std::string& path, int dimension, double size, bool curved) {
   if (!std::ifstream(path)) {  // Gmsh would make an empty model of it
     refuse(path, "the file cannot be read", "check its name and that you may read it");
   }
@@ -235,7 +231,10 @@ RawMesh gmsh_open(const std::string& path, int dimension, double size) {
     if (size > 0) gmsh::option::setNumber("Mesh.MeshSizeMax", size);
     std::vector<int> types;
     gmsh::model::mesh::getElementTypes(types, dimension);
-    if (types.empty()) gmsh::model::mesh::generate(dimension);
+    if (types.empty()) {
+      gmsh::model::mesh::generate(dimension);
+      if (curved) gmsh::model::mesh::setOrder(2);
+    }
     RawMesh raw;
     const auto number = take_points(1, raw);
     Tags entities, groups;
@@ -276,7 +275,7 @@ RawMesh gmsh_mesh(int, std::span<const BodyShape* const> bodies) {
       "or use a rectangle or box with a structured pattern");
 }
 
-RawMesh gmsh_open(const std::string& path, int, double) {
+RawMesh gmsh_open(const std::string& path, int, double, bool) {
   refuse(
       path, "this build has no Gmsh to read it",
       "install Gmsh with its headers (Debian: libgmsh-dev) and configure again, or save the mesh "

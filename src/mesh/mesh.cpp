@@ -3,6 +3,7 @@
 #include "mesh/refusal.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace breccia {
 
@@ -42,6 +43,12 @@ void append(Mesh<D>& mesh, const Mesh<D>& more) {
     mesh.element.push_back(nodes);
   }
   for (Index b : more.body) mesh.body.push_back(b + first_body);
+  for (const auto& [edge, middle] : more.curved) {
+    mesh.curved[{edge[0] + first_point, edge[1] + first_point}] = middle;
+  }
+  if (!mesh.group_size.empty() || !more.group_size.empty()) {
+    throw std::logic_error("append: meshes are joined before they are refined to composites");
+  }
   mesh.body_names.insert(mesh.body_names.end(), more.body_names.begin(), more.body_names.end());
   for (Region region : more.regions) {
     for (Index& e : region.elements) e += first_element;

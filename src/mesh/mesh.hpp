@@ -3,6 +3,7 @@
 #include "base/index.hpp"
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,13 @@ namespace breccia {
 /// A point of the plane or of space. Unit m.
 template <int D>
 using Point = std::array<double, D>;
+
+/// The two points of an element's edge, the smaller first.
+using Edge = std::array<Index, 2>;
+
+inline Edge edge_of(Index a, Index b) {
+  return a < b ? Edge{a, b} : Edge{b, a};
+}
 
 /// One face seen from one element: local face f lies opposite local node f (base/simplex.hpp).
 struct ElementFace {
@@ -43,9 +51,16 @@ struct Mesh {
   std::vector<Index> body;                        ///< per element: index in body_names
   std::vector<std::string> body_names;
   std::vector<Region> regions;
+  /// Of edges that follow a curved boundary: the place of the mid-edge node, m. Elements are
+  /// straight all the same; composites made of them are not (mesh/composite.hpp).
+  std::map<Edge, Point<D>> curved = {};
+  /// Per body, after refinement to composites: elements of each composite (1: simple). Those of one
+  /// composite are contiguous. Empty: all elements are simple.
+  std::vector<int> group_size = {};
 
   Index points() const { return static_cast<Index>(point.size()); }
   Index elements() const { return static_cast<Index>(element.size()); }
+  int group_of_body(Index b) const { return group_size.empty() ? 1 : group_size[b]; }
 };
 
 /// The region of that name, or nullptr.

@@ -12,22 +12,6 @@ namespace {
 
 constexpr long long kMost = std::numeric_limits<Index>::max();
 
-/// Dimension of a Gmsh element type that we take, or -1.
-int dimension_of_type(long long type) {
-  switch (type) {
-    case 15:
-      return 0;
-    case 1:
-      return 1;
-    case 2:
-      return 2;
-    case 4:
-      return 3;
-    default:
-      return -1;
-  }
-}
-
 class MshReader {
  public:
   explicit MshReader(const std::string& path) : in_(path) {}
@@ -125,41 +109,46 @@ class MshReader {
     }
   }
 
-  Index add_element(int dimension) {
-    RawElement element{dimension, {}};
-    for (int a = 0; a <= dimension; ++a) {
-      const long long tag = in_.integer();
-      const auto found = number_.find(tag);
-      if (found == number_.end()) {
-        in_.fail("an element uses node " + std::to_string(tag) + ", which does not exist");
-      }
-      element.point[a] = found->second;
+  Index node() {
+    const long long tag = in_.integer();
+    const auto found = number_.find(tag);
+    if (found == number_.end()) {
+      in_.fail("an element uses node " + std::to_string(tag) + ", which does not exist");
+    }
+    return found->second;
+  }
+
+  Index add_element(const GmshType& type) {
+    RawElement element{type.dimension, {}};
+    for (int a = 0; a <= type.dimension; ++a) element.point[a] = node();
+    for (int m = 0; m < type.middles; ++m) {
+      const auto [a, b] = type.edge[m];
+      add_middle(raw_, element.point[a], element.point[b], node(), in_.path());
     }
     raw_.element.push_back(element);
     return static_cast<Index>(raw_.element.size() - 1);
   }
 
-  int element_dimension() {
-    const long long type = in_.integer();
-    const int dimension = dimension_of_type(type);
-    if (dimension >= 0) return dimension;
-    refuse(in_.path(), "it has elements of Gmsh type " + std::to_string(type),
-           "mesh with first-order triangles or tetrahedra only");
+  GmshType element_type() {
+    const long long number = in_.integer();
+    const GmshType type = gmsh_type(number);
+    if (type.dimension >= 0) return type;
+    refuse(in_.path(), "it has elements of Gmsh type " + std::to_string(number), kTypesTaken);
   }
 
   void read_elements2() {
     const long long count = in_.integer(1, kMost, "number of elements");
     for (long long n = 0; n < count; ++n) {
       in_.integer();  // tag
-      const int dimension = element_dimension();
+      const GmshType type = element_type();
       const long long tags = in_.integer(0, 1000, "number of tags");
       long long group = 0;
       for (long long t = 0; t < tags; ++t) {
         const long long tag = in_.integer();
         if (t == 0) group = std::abs(tag);
       }
-      const Index e = add_element(dimension);
-      if (group != 0) groups_[{dimension, group}].push_back(e);
+      const Index e = add_element(type);
+      if (group != 0) groups_[{type.dimension, group}].push_back(e);
     }
   }
 
@@ -169,14 +158,14 @@ class MshReader {
     for (long long b = 0; b < blocks; ++b) {
       in_.integer(0, 3, "dimension");
       const long long entity = in_.integer();
-      const int dimension = element_dimension();
+      const GmshType type = element_type();
       const long long count = in_.integer(0, kMost, "number of elements");
-      const auto found = physical_.find({dimension, entity});
+      const auto found = physical_.find({type.dimension, entity});
       for (long long n = 0; n < count; ++n) {
         in_.integer();  // tag
-        const Index e = add_element(dimension);
+        const Index e = add_element(type);
         if (found == physical_.end()) continue;
-        for (long long group : found->second) groups_[{dimension, group}].push_back(e);
+        for (long long group : found->second) groups_[{type.dimension, group}].push_back(e);
       }
     }
   }

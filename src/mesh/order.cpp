@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <tuple>
 
@@ -58,6 +59,23 @@ void sort_unique(std::vector<T>& list) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
+/// Points in the order in which the elements meet them; points without element last.
+template <int D>
+std::vector<Index> points_by_first_use(const Mesh<D>& mesh, const std::vector<Index>& elements) {
+  std::vector<Index> order;
+  order.reserve(mesh.point.size());
+  std::vector<char> taken(mesh.point.size(), 0);
+  const auto take = [&](Index p) {
+    if (!taken[p]) order.push_back(p);
+    taken[p] = 1;
+  };
+  for (Index e : elements) {
+    for (Index p : mesh.element[e]) take(p);
+  }
+  for (Index p = 0; p < mesh.points(); ++p) take(p);
+  return order;
+}
+
 }  // namespace
 
 template <int D>
@@ -75,17 +93,17 @@ Ordering locality_order(const Mesh<D>& mesh, std::span<const Index> block) {
   std::sort(entry.begin(), entry.end());
   Ordering ordering;
   ordering.element.reserve(entry.size());
-  ordering.point.reserve(mesh.point.size());
-  std::vector<char> taken(mesh.point.size(), 0);
-  const auto take = [&](Index p) {
-    if (!taken[p]) ordering.point.push_back(p);
-    taken[p] = 1;
-  };
-  for (const Entry& e : entry) {
-    ordering.element.push_back(std::get<2>(e));
-    for (Index p : mesh.element[std::get<2>(e)]) take(p);
-  }
-  for (Index p = 0; p < mesh.points(); ++p) take(p);
+  for (const Entry& e : entry) ordering.element.push_back(std::get<2>(e));
+  ordering.point = points_by_first_use(mesh, ordering.element);
+  return ordering;
+}
+
+template <int D>
+Ordering first_use_order(const Mesh<D>& mesh) {
+  Ordering ordering;
+  ordering.element.resize(mesh.element.size());
+  std::iota(ordering.element.begin(), ordering.element.end(), Index{0});
+  ordering.point = points_by_first_use(mesh, ordering.element);
   return ordering;
 }
 
@@ -95,6 +113,10 @@ Mesh<D> reordered(const Mesh<D>& mesh, const Ordering& ordering) {
   const auto new_element = inverse(ordering.element);
   Mesh<D> result;
   result.body_names = mesh.body_names;
+  result.group_size = mesh.group_size;
+  for (const auto& [edge, middle] : mesh.curved) {
+    result.curved[edge_of(new_point[edge[0]], new_point[edge[1]])] = middle;
+  }
   for (Index p : ordering.point) result.point.push_back(mesh.point[p]);
   for (Index e : ordering.element) {
     auto nodes = mesh.element[e];
@@ -130,6 +152,8 @@ double mean_index_distance(const Mesh<D>& mesh) {
 
 template Ordering locality_order<2>(const Mesh<2>&, std::span<const Index>);
 template Ordering locality_order<3>(const Mesh<3>&, std::span<const Index>);
+template Ordering first_use_order<2>(const Mesh<2>&);
+template Ordering first_use_order<3>(const Mesh<3>&);
 template Mesh<2> reordered<2>(const Mesh<2>&, const Ordering&);
 template Mesh<3> reordered<3>(const Mesh<3>&, const Ordering&);
 template double mean_index_distance<2>(const Mesh<2>&);

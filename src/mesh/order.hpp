@@ -20,6 +20,10 @@ struct Ordering {
 template <int D>
 Ordering locality_order(const Mesh<D>& mesh, std::span<const Index> block = {});
 
+/// Elements as they are, points by first use.
+template <int D>
+Ordering first_use_order(const Mesh<D>& mesh);
+
 /// The mesh renumbered, regions included (their lists are sorted again).
 template <int D>
 Mesh<D> reordered(const Mesh<D>& mesh, const Ordering& ordering);

@@ -93,6 +93,18 @@ std::string notable_line(const std::string& name, const NotableElement<D>& worst
   return text;
 }
 
+template <int D>
+Index count_composites(const Mesh<D>& mesh) {
+  std::vector<Index> elements(mesh.body_names.size(), 0);
+  for (Index b : mesh.body) ++elements[b];
+  Index count = 0;
+  for (std::size_t b = 0; b < elements.size(); ++b) {
+    const int group = mesh.group_of_body(static_cast<Index>(b));
+    if (group > 1) count += elements[b] / group;
+  }
+  return count;
+}
+
 }  // namespace
 
 template <int D>
@@ -103,6 +115,7 @@ QualityReport<D> assess_quality(const Mesh<D>& mesh, std::span<const double> wav
   QualityReport<D> report;
   report.elements = mesh.elements();
   report.points = mesh.points();
+  report.composites = count_composites(mesh);
   if (mesh.element.empty()) return report;
   report.min_size = std::numeric_limits<double>::infinity();
   Sums sums;
@@ -142,6 +155,10 @@ std::string to_text(const QualityReport<D>& report) {
                      std::to_string(report.points) + " points, " + number(report.volume) +
                      (D == 2 ? " m2\n" : " m3\n");
   if (report.elements == 0) return text;
+  if (report.composites > 0) {
+    text += "  composites       " + std::to_string(report.composites) +
+            "; what follows is of their sub-elements\n";
+  }
   text += "  edge length      " + number(report.min_size) + " to " + number(report.max_size) +
           " m, mean " + number(report.mean_size) + " m\n";
   text += notable_line("least height", report.min_height, number(report.min_height.value) + " m");

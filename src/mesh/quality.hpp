@@ -20,7 +20,8 @@ struct NotableElement {
 /// Shape quality is D * inradius / circumradius: 1 for the regular simplex, 0 for a flat one.
 template <int D>
 struct QualityReport {
-  Index elements = 0;
+  Index elements = 0;    ///< sub-elements of composites count each
+  Index composites = 0;  ///< 0: all elements are simple
   Index points = 0;
   double volume = 0;                                 ///< m2 or m3
   double min_size = 0, mean_size = 0, max_size = 0;  ///< edge lengths, m

@@ -46,6 +46,7 @@ void keep_points(const RawMesh& raw, const std::string& source, Kept& kept, Mesh
       u = std::max<char>(u, element.dimension == D ? 2 : 1);
     }
   }
+  for (const auto& [edge, middle] : raw.middle) used[middle] = std::max<char>(used[middle], 1);
   std::vector<Index> orphans;
   kept.point.assign(raw.point.size(), kNone);
   for (std::size_t p = 0; p < raw.point.size(); ++p) {
@@ -74,6 +75,32 @@ void check_plane(const RawMesh& raw, const std::string& source) {
       refuse(source, "the point at " + place_text(x) + " is off the plane z = 0",
              "give a plane mesh in x and y, or a scene of dimension 3");
     }
+  }
+}
+
+/// Mid-edge nodes nearer to the middle than this share of the edge are there but for rounding.
+constexpr double kStraight = 1e-9;
+
+template <int D>
+void keep_middles(const RawMesh& raw, const std::string& source, const Kept& kept, Mesh<D>& mesh) {
+  for (const auto& [edge, middle] : raw.middle) {
+    const Index a = kept.point[edge[0]], b = kept.point[edge[1]];
+    if (a == kNone || b == kNone) continue;
+    if (kept.point[middle] != kNone) {
+      refuse(source,
+             "the mid-edge node at " + place_text(raw.point[middle]) +
+                 " is a corner of another element",
+             "give a mesh whose elements meet edge to edge");
+    }
+    Point<D> x;
+    std::copy_n(raw.point[middle].begin(), D, x.begin());
+    if (!std::isfinite(dot(x, x))) {
+      refuse(source, name_ids("point", std::vector<Index>{middle}) + " without finite coordinates",
+             "write the mesh anew; its coordinates are damaged");
+    }
+    const auto along_edge = minus(mesh.point[b], mesh.point[a]);
+    const auto off = minus(x, along(mesh.point[a], 0.5, along_edge));
+    if (length(off) > kStraight * length(along_edge)) mesh.curved[edge_of(a, b)] = x;
   }
 }
 
@@ -138,6 +165,36 @@ void add_groups(const RawMesh& raw, const Kept& kept, const std::string& source,
 
 }  // namespace
 
+void add_middle(RawMesh& raw, Index a, Index b, Index middle, const std::string& source) {
+  const auto [place, fresh] = raw.middle.emplace(edge_of(a, b), middle);
+  if (fresh || place->second == middle) return;
+  refuse(source,
+         "the edge from " + place_text(raw.point[a]) + " to " + place_text(raw.point[b]) +
+             " has two mid-edge nodes",
+         "give a mesh whose elements share the nodes of their common edges");
+}
+
+GmshType gmsh_type(long long type) {
+  switch (type) {
+    case 15:
+      return {0, 0, {}};
+    case 1:
+      return {1, 0, {}};
+    case 2:
+      return {2, 0, {}};
+    case 4:
+      return {3, 0, {}};
+    case 8:
+      return {1, 1, {{{0, 1}}}};
+    case 9:
+      return {2, 3, {{{0, 1}, {1, 2}, {2, 0}}}};
+    case 11:
+      return {3, 6, {{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {2, 3}, {1, 3}}}};
+    default:
+      return {};
+  }
+}
+
 template <int D>
 Mesh<D> to_mesh(const RawMesh& raw, const std::string& source) {
   check_plane<D>(raw, source);
@@ -159,8 +216,9 @@ Mesh<D> to_mesh(const RawMesh& raw, const std::string& source) {
   }
   if (mesh.element.empty()) {
     refuse(source, D == 2 ? "it has no triangles" : "it has no tetrahedra",
-           "mesh the geometry with first-order simplices of dimension " + std::to_string(D));
+           "mesh the geometry with simplices of dimension " + std::to_string(D));
   }
+  keep_middles(raw, source, kept, mesh);
   mesh.body.assign(mesh.element.size(), 0);
   mesh.body_names = {"file"};
   add_groups(raw, kept, source, mesh);

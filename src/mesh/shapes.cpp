@@ -83,14 +83,15 @@ Mesh<D> mesh_by_gmsh(const Part& part) {
 }
 
 template <int D>
-Mesh<D> read_file(const std::string& path, double size, const NativeReader<D>& native) {
+Mesh<D> read_file(const BodyShape& body, const NativeReader<D>& native) {
+  const std::string& path = std::get<MeshFile>(body.shape).path;
   if (path.ends_with(".h5")) {
     if (!native) refuse(path, "this build cannot read HDF5", "give a .msh file");
     return native(path);
   }
-  if (path.ends_with(".geo")) return to_mesh<D>(gmsh_open(path, D, size), path);
+  if (path.ends_with(".geo")) return to_mesh<D>(gmsh_open(path, D, body.size, body.curved), path);
   const bool own = is_ascii_msh(path);  // Gmsh reads the rest: binary and older versions
-  return to_mesh<D>(own ? read_msh(path) : gmsh_open(path, D, size), path);
+  return to_mesh<D>(own ? read_msh(path) : gmsh_open(path, D, body.size, body.curved), path);
 }
 
 template <int D>
@@ -100,7 +101,11 @@ Mesh<D> mesh_from_file(const Part& part, const NativeReader<D>& native) {
   for (const BodyShape* body : part) {
     picks.push_back({body->name, std::get<MeshFile>(body->shape).region});
   }
-  Mesh<D> whole = read_file<D>(path, part[0]->size, native);
+  Mesh<D> whole = read_file<D>(*part[0], native);
+  if (!part[0]->curved && !whole.curved.empty()) {
+    log::info(path + ": its curved edges are made straight; composites would follow them");
+    whole.curved.clear();
+  }
   if (orient_if_all_mirrored(whole)) {
     log::info(path + ": all elements are oriented negatively; they were turned over");
   }

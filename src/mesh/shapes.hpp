@@ -78,6 +78,7 @@ struct BodyShape {
   double jitter = 0;               ///< of the structured grid
   Arrangement arrangement = Arrangement::irregular;  ///< of a part: its first body's
   int seed = 1;                                      ///< other seeds give other meshes
+  bool curved = false;  ///< mid-edge nodes on the geometry (Mesh::curved); of a part: as one
 };
 
 /// Reads a mesh in Breccia's own format, which io can and mesh cannot (hdf5.h has its door there).

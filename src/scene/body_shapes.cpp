@@ -82,6 +82,13 @@ void read_refinements(const Settings& mesh, BodyShape& out) {
 
 }  // namespace
 
+int group_size(const Settings& body) {
+  const std::string kind = body.at("mesh").text_or("element", "");
+  if (kind == "tri6c") return 4;
+  if (kind == "tet10c") return 8;
+  return kind == "tet10c12" ? 12 : 1;
+}
+
 template <int D>
 BodyShape body_shape(const Settings& body, const std::filesystem::path& folder, int seed) {
   const Settings& shape = body.at("shape");
@@ -90,6 +97,7 @@ BodyShape body_shape(const Settings& body, const std::filesystem::path& folder, 
   out.name = body.name();
   out.seed = seed;
   out.part_of = body.text_or("part_of", "");
+  out.curved = group_size(body) > 1;
   if (mesh.has("size")) out.size = mesh.number("size");
   if (shape.has("file")) {
     const std::filesystem::path path = folder / shape.text("file");  // an absolute one replaces it

@@ -56,8 +56,10 @@ void print_bodies(const Model<D>& model) {
       }
       extent += fmt::format("  {} {:.5g} to {:.5g} m", "xyz"[d], low, high);
     }
-    std::cout << fmt::format("  {:<16} {:>9} elements of {:<12}{}\n", model.mesh.body_names[b],
-                             region.elements.size(),
+    const int group = model.mesh.group_of_body(static_cast<Index>(b));
+    std::cout << fmt::format("  {:<16} {:>9} {} of {:<12}{}\n", model.mesh.body_names[b],
+                             region.elements.size() / static_cast<std::size_t>(group),
+                             group == 1 ? "elements" : fmt::format("composites (of {})", group),
                              model.material_of_body(static_cast<Index>(b)).name, extent);
   }
 }

@@ -2,6 +2,7 @@
 
 #include "base/mat.hpp"
 #include "io/mesh_file.hpp"
+#include "mesh/composite.hpp"
 #include "mesh/order.hpp"
 #include "mesh/overlap.hpp"
 #include "mesh/validate.hpp"
@@ -20,6 +21,8 @@ constexpr Index kElementRoom = 16;
 /// Room for nodes that splitting makes, before the store has to grow.
 constexpr double kNodeRoom = 1.3;
 
+constexpr Index kLargestGroup = 12;
+
 template <int D>
 Index material_index(const Model<D>& model, const Settings& body) {
   for (std::size_t m = 0; m < model.materials.size(); ++m)
@@ -27,14 +30,15 @@ Index material_index(const Model<D>& model, const Settings& body) {
   throw body.error("material", "there is no [material." + body.text("material") + "]");
 }
 
-/// Contiguous runs of elements of one material.
+/// Contiguous runs of elements of one material and one kind.
 template <int D>
 std::vector<Block> find_blocks(const Model<D>& model) {
   std::vector<Block> blocks;
   for (Index e = 0; e < model.mesh.elements(); ++e) {
     const Index material = model.body_material[model.mesh.body[e]];
-    if (blocks.empty() || blocks.back().material != material)
-      blocks.push_back({e, e, material, 1, {}});
+    const int group = model.mesh.group_of_body(model.mesh.body[e]);
+    if (blocks.empty() || blocks.back().material != material || blocks.back().group != group)
+      blocks.push_back({e, e, material, group, {}});
     blocks.back().end = e + 1;
   }
   return blocks;
@@ -75,6 +79,14 @@ Mesh<D> build_mesh(const Settings& scene, const std::filesystem::path& folder) {
 }
 
 template <int D>
+std::vector<int> group_sizes(const Settings& scene, const Mesh<D>& mesh) {
+  std::vector<int> groups(mesh.body_names.size(), 1);
+  for (const Settings& body : scene.list("body"))
+    groups[find_body(mesh, body.name())] = group_size(body);
+  return groups;
+}
+
+template <int D>
 void build_model(const Settings& scene, const std::filesystem::path& folder, Model<D>& model) {
   model.scene = &scene;
   model.materials = read_materials(scene);
@@ -86,9 +98,11 @@ void build_model(const Settings& scene, const std::filesystem::path& folder, Mod
   model.body_material.assign(mesh.body_names.size(), 0);
   for (const Settings& body : scene.list("body"))
     model.body_material[find_body(mesh, body.name())] = material_index(model, body);
+  const auto groups = group_sizes(scene, mesh);
   std::vector<Index> block;
-  for (const Index body : mesh.body) block.push_back(model.body_material[body]);
-  model.mesh = reordered(mesh, locality_order(mesh, block));
+  for (const Index body : mesh.body)
+    block.push_back(model.body_material[body] * (kLargestGroup + 1) + groups[body]);
+  model.mesh = refined_to_composites(reordered(mesh, locality_order(mesh, block)), groups);
   model.topology = build_topology(model.mesh);
   model.blocks = find_blocks(model);
   model.initial_stress = initial_stress(scene, model);
@@ -140,6 +154,8 @@ std::vector<double> initial_velocity(const Settings& scene, const Model<D>& mode
 
 template Mesh<2> build_mesh<2>(const Settings&, const std::filesystem::path&);
 template Mesh<3> build_mesh<3>(const Settings&, const std::filesystem::path&);
+template std::vector<int> group_sizes(const Settings&, const Mesh<2>&);
+template std::vector<int> group_sizes(const Settings&, const Mesh<3>&);
 template void build_model(const Settings&, const std::filesystem::path&, Model<2>&);
 template void build_model(const Settings&, const std::filesystem::path&, Model<3>&);
 template std::vector<double> initial_velocity(const Settings&, const Model<2>&);

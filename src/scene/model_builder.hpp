@@ -11,6 +11,10 @@ namespace breccia {
 template <int D>
 Mesh<D> build_mesh(const Settings& scene, const std::filesystem::path& folder);
 
+/// Sub-elements of each composite, per body of the mesh; 1 where elements are simple.
+template <int D>
+std::vector<int> group_sizes(const Settings& scene, const Mesh<D>& mesh);
+
 /// Mesh, topology, materials and blocks of a scene; sizes of the store's entities.
 template <int D>
 void build_model(const Settings& scene, const std::filesystem::path& folder, Model<D>& model);

@@ -68,9 +68,12 @@ void declare_shape(Schema& schema) {
 
 void declare_mesh(Schema& schema) {
   auto s = schema.section("body[].mesh").always().doc("How the body is cut into elements.");
-  s.choice("element", {"tri3", "tet4"})
-      .doc("Kind of element; tri3 in the plane and tet4 in space if absent.")
-      .example("tri3");
+  s.choice("element", {"tri3", "tri6c", "tet4", "tet10c", "tet10c12"})
+      .doc(
+          "Kind of element. Simple ones: tri3 in the plane, tet4 in space, the same if absent. "
+          "Composites, whose sub-elements share one pressure and follow curved boundaries: tri6c "
+          "of 4 triangles, tet10c of 8 and tet10c12 of 12 tetrahedra.")
+      .example("tri6c");
   s.number("size", unit::length).above(0).doc("Length of an element's edges.").example("0.5 mm");
   s.choice("generator", {"gmsh", "structured"})
       .by_default("gmsh")

@@ -46,17 +46,40 @@ void check_generator(const Settings& body, int dimension, Problems& problems) {
 void check_mesh(const Settings& body, int dimension, Problems& problems) {
   const Settings& mesh = body.at("mesh");
   const bool file = body.has("shape.file");
-  const std::string fitting = dimension == 2 ? "tri3" : "tet4";
-  if (mesh.text_or("element", fitting) != fitting) {
-    problems.add(mesh.error("element",
-                            "\"" + mesh.text("element") +
-                                "\" does not fit run.dimension = " + std::to_string(dimension),
-                            "write \"" + fitting + "\" or leave it out"));
+  const std::string kind = mesh.text_or("element", "");
+  if (!kind.empty() && kind.starts_with("tri") != (dimension == 2)) {
+    problems.add(mesh.error(
+        "element", "\"" + kind + "\" does not fit run.dimension = " + std::to_string(dimension),
+        dimension == 2 ? "write \"tri3\" or \"tri6c\", or leave it out"
+                       : "write \"tet4\", \"tet10c\" or \"tet10c12\", or leave it out"));
   }
   if (!file && !mesh.has("size") && !mesh.has("cells")) {
     problems.add(body.error("mesh.size", "is missing (length)", "for example: size = \"0.5 mm\""));
   }
   check_generator(body, dimension, problems);
+}
+
+/// Bodies that grow together share the nodes of common edges, so all or none have mid-edge nodes.
+void check_kinds_of_parts(const Settings& scene, Problems& problems) {
+  const auto kind = [](const Settings& body) {
+    const std::string text = body.at("mesh").text_or("element", "");
+    return text == "tri3" || text == "tet4" ? "" : text;
+  };
+  const auto& bodies = scene.list("body");
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const std::string part = bodies[b].text_or("part_of", "");
+    if (part.empty()) continue;
+    for (std::size_t a = 0; a < b; ++a) {
+      if (bodies[a].text_or("part_of", "") != part || kind(bodies[a]) == kind(bodies[b])) continue;
+      const Settings& named = bodies[kind(bodies[b]).empty() ? a : b];
+      problems.add(named.at("mesh").error("element",
+                                          "\"" + bodies[a].name() + "\" and \"" + bodies[b].name() +
+                                              "\" grow together (part_of = \"" + part +
+                                              "\") but differ in their elements",
+                                          "give both the same element"));
+      break;
+    }
+  }
 }
 
 void check_shape(const Settings& body, Problems& problems) {
@@ -113,6 +136,7 @@ void check_body_rules(const Settings& scene, Problems& problems) {
     check_shape(body, problems);
     check_mesh(body, dimension, problems);
   }
+  check_kinds_of_parts(scene, problems);
 }
 
 }  // namespace breccia

@@ -48,13 +48,34 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"NodeTwice", "2 1 0 0\n", "1 1 0 0\n", "node 1 is listed twice"},
         Damage{"TooFewNodes", "6\n1 0 0 0", "7\n1 0 0 0", "is not a whole number"},
         Damage{"Quadrangle", "4 2 2 1 1 1 2 5", "4 3 2 1 1 1 2 5", "elements of Gmsh type 3"},
-        Damage{"SecondOrder", "4 2 2 1 1 1 2 5", "4 9 2 1 1 1 2 5", "elements of Gmsh type 9"},
+        Damage{"ThirdOrder", "4 2 2 1 1 1 2 5", "4 21 2 1 1 1 2 5", "elements of Gmsh type 21"},
         Damage{"Inverted", " 1 2 5\n", " 2 1 5\n", "inverted"},
         Damage{"Duplicate", "7 2 2 2 2 2 6 5", "7 2 2 2 2 3 6 2", "have the same points"},
         Damage{"ZeroArea", "5 1 1 0\n", "5 1 0 0\n", "zero area"},
         Damage{"Orphan", "6\n1 0 0 0", "7\n8 3 3 0\n1 0 0 0", "used by no element"},
         Damage{"OffPlane", "5 1 1 0\n", "5 1 1 0.5\n", "off the plane z = 0"},
         Damage{"RepeatedPoint", " 1 2 5\n", " 1 5 5\n", "use a point twice"}),
+    [](const auto& tested) { return tested.param.name; });
+
+class CurvedMshFile : public testing::TestWithParam<Damage> {};
+
+TEST_P(CurvedMshFile, IsRefused) {
+  const TempFolder folder;
+  const std::string path = folder / "slope.msh";
+  put_text(path, replaced(kCurvedTriangle22, GetParam().what, GetParam().by));
+  EXPECT_THAT(refusal_of(path), AllOf(HasSubstr("slope.msh"), HasSubstr(GetParam().text)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Damaged, CurvedMshFile,
+    testing::Values(
+        Damage{"MiddleMissing", "2 3 4 5 6\n", "2 3 4 5 66\n",
+               "uses node 66, which does not exist"},
+        Damage{"OtherMiddle", "5 2 3 5\n", "5 2 3 6\n", "has two mid-edge nodes"},
+        Damage{"MiddleIsACorner", "2\n1 8 2 7 5 2 3 5\n", "3\n3 2 2 1 1 4 2 5\n1 8 2 7 5 2 3 5\n",
+               "is a corner of another element"},
+        Damage{"MiddleNotFinite", "5 0.6 0.6 0\n", "5 nan 0.6 0\n", "without finite coordinates"},
+        Damage{"MiddleOffPlane", "5 0.6 0.6 0\n", "5 0.6 0.6 1\n", "off the plane z = 0"}),
     [](const auto& tested) { return tested.param.name; });
 
 TEST(MshFileCut, IsRefusedAtEveryLength) {

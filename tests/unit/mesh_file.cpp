@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 namespace breccia {
 namespace {
 
@@ -21,6 +23,20 @@ TEST(MeshFile, ComesBackBitForBit) {
   write_mesh(space, folder / "space.h5");
   expect_same_mesh(space, read_mesh<3>(folder / "space.h5"));
   EXPECT_EQ(folder.entries(), 2U);  // no part files stay
+}
+
+TEST(MeshFile, CurvedEdgesComeBack) {
+  const TempFolder folder;
+  auto mesh = two_triangles();
+  write_mesh(mesh, folder / "straight.h5");
+  mesh.curved = {{edge_of(0, 1), {0.5, -0.1}}, {edge_of(2, 0), {0.4, 0.6}}};
+  write_mesh(mesh, folder / "m.h5");
+  expect_same_mesh(mesh, read_mesh<2>(folder / "m.h5"));
+  const auto version = [&](const std::string& name) {
+    return H5Reader(folder / name).integer_attribute("", "version")[0];
+  };
+  EXPECT_EQ(version("straight.h5"), 1);  // older builds read it
+  EXPECT_EQ(version("m.h5"), 2);         // and refuse this one
 }
 
 TEST(MeshFile, MeshWithoutRegionsComesBack) {
@@ -133,6 +149,21 @@ TEST_F(DamagedMeshFile, NewerVersionIsNamed) {
   file.attribute("", "version", std::array<std::int64_t, 1>{99});
   file.commit();
   EXPECT_THAT(refusal(), HasSubstr("format version 99"));
+}
+
+TEST_F(DamagedMeshFile, CurvedEdgesOutOfRangeAreRefused) {
+  auto mesh = two_triangles();
+  mesh.curved = {{edge_of(0, 2), {0.4, 0.6}}};
+  const std::vector<std::vector<Index>> edges = {{0, 4}, {2, 0}, {-1, 2}};
+  for (const auto& edge : edges) {
+    path = folder / "mesh.h5";
+    write_mesh(mesh, path);
+    write_with<Index>("curved_edges", edge, {1, 2});
+    EXPECT_THAT(refusal(), HasSubstr("do not fit"));
+  }
+  path = folder / "mesh.h5";
+  write_with<double>("curved_points", {std::nan(""), 0}, {1, 2});
+  EXPECT_THAT(refusal(), HasSubstr("do not fit"));
 }
 
 TEST_F(DamagedMeshFile, NumbersOutOfRangeAreRefused) {

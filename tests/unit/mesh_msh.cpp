@@ -1,4 +1,5 @@
 #include "harness/temp_folder.hpp"
+#include "mesh/composite.hpp"
 #include "mesh/geometry.hpp"
 #include "mesh/gmsh_mesher.hpp"
 #include "mesh/msh_reader.hpp"
@@ -83,6 +84,25 @@ TEST(MeshMsh, AnElementInTwoGroupsCountsOnce) {
   const auto mesh = mesh_files({{"all", MeshFile{folder / "groups.msh", ""}}});
   EXPECT_EQ(mesh.elements(), 4);
   EXPECT_EQ(find_region(mesh, "all.soft")->elements.size(), 1U);
+}
+
+TEST(MeshMsh, SecondOrderFilesGiveCurvedEdges) {
+  const TempFolder folder;
+  put_text(folder / "curved.msh", kCurvedTriangle22);
+  BodyShape body = body_of("slab", MeshFile{folder / "curved.msh", "rock"}, 0);
+  EXPECT_TRUE(mesh_one<2>(body).curved.empty());  // simple elements stay straight
+  body.curved = true;
+  const auto mesh = mesh_one<2>(body);
+  EXPECT_EQ(mesh.points(), 3);
+  ASSERT_EQ(mesh.curved.size(), 1U);  // the other two edges are straight
+  EXPECT_EQ(mesh.curved.begin()->first, edge_of(1, 2));
+  EXPECT_EQ(mesh.curved.begin()->second, (Point<2>{0.6, 0.6}));
+  const auto composite = refined_to_composites(mesh, std::vector<int>{4});
+  EXPECT_NEAR(total_volume(composite), 0.6, 1e-15);
+  EXPECT_EQ(find_region(composite, "slab.slope")->points.size(), 3U);
+  put_text(folder / "space.msh", kTetrahedron22);
+  body.shape = MeshFile{folder / "space.msh", ""};
+  EXPECT_TRUE(mesh_one<3>(body).curved.empty());  // as only the right order of edges can tell
 }
 
 TEST(MeshMsh, ClockwiseFilesAreTurnedOver) {

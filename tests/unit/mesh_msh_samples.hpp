@@ -88,6 +88,54 @@ $Elements
 $EndElements
 )";
 
+/// A triangle of second order; the middle of its slope is 0.1 * sqrt(2) m outside.
+inline const std::string kCurvedTriangle22 = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+1 7 "slope"
+2 1 "rock"
+$EndPhysicalNames
+$Nodes
+6
+1 0 0 0
+2 1 0 0
+3 0 1 0
+4 0.5 0 0
+5 0.6 0.6 0
+6 0 0.5 0
+$EndNodes
+$Elements
+2
+1 8 2 7 5 2 3 5
+2 9 2 1 1 1 2 3 4 5 6
+$EndElements
+)";
+
+/// A tetrahedron of second order whose mid-edge nodes are in the middle, in Gmsh's order.
+inline const std::string kTetrahedron22 = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+10
+1 0 0 0
+2 2 0 0
+3 0 2 0
+4 0 0 2
+5 1 0 0
+6 1 1 0
+7 0 1 0
+8 0 0 1
+9 0 1 1
+10 1 0 1
+$EndNodes
+$Elements
+1
+1 11 2 0 1 1 2 3 4 5 6 7 8 9 10
+$EndElements
+)";
+
 /// The text with the first occurrence of `what` replaced; fails the test when there is none.
 inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
   const std::size_t at = text.find(what);

@@ -85,6 +85,8 @@ void expect_same_mesh(const Mesh<D>& a, const Mesh<D>& b) {
   EXPECT_EQ(a.element, b.element);
   EXPECT_EQ(a.body, b.body);
   EXPECT_EQ(a.body_names, b.body_names);
+  EXPECT_EQ(a.curved, b.curved);
+  EXPECT_EQ(a.group_size, b.group_size);
   expect_same_regions(a, b);
 }
 

@@ -180,6 +180,37 @@ TEST(SplitStars, EverythingFromTheStart) {
   }
 }
 
+// Faces inside a composite are tied: after all others have opened, each has its nodes to itself.
+TEST(SplitStars, CompositesStayWhole) {
+  FractureWorld<2> plane(
+      block_scene(2, "union-jack", "[3, 4], element = \"tri6c\"", "[3e-3, 4e-3]", law("0")));
+  plane.start();
+  EXPECT_EQ(plane.model.nodes(), 6 * 24 + 4);
+  EXPECT_EQ(plane.model.store.count(Entity::interface), 2 * (3 * 3 + 4 * 2 + 12));
+  check_books(plane);
+  const std::string cells = "[2, 2, 2], element = ";
+  for (const auto& [kind, nodes] : {std::pair{"\"tet10c\"", 10}, std::pair{"\"tet10c12\"", 11}}) {
+    FractureWorld<3> space(block_scene(3, "five", cells + kind, "[2e-3, 2e-3, 2e-3]", law("0")));
+    space.start();
+    EXPECT_EQ(space.model.nodes(), nodes * 5 * 8 + 8);
+    check_books(space);
+  }
+}
+
+// Elements of one block are of one material and one kind, and its composites begin with it.
+TEST(SplitStars, BlocksAreOfOneKind) {
+  std::string scene =
+      block_scene(2, "cross", "[3, 4], element = \"tri6c\"", "[3e-3, 4e-3]", law("1"));
+  scene.replace(scene.find("\"other\""), 7, "\"rock\"");  // both bodies of one material
+  const FractureWorld<2> world(scene);
+  const auto& blocks = world.model.blocks;
+  ASSERT_EQ(blocks.size(), 2U);
+  EXPECT_EQ(blocks[0].group, 1);
+  EXPECT_EQ(blocks[0].end - blocks[0].begin, 4);
+  EXPECT_EQ(blocks[1].group, 4);
+  EXPECT_EQ(blocks[1].end - blocks[1].begin, 4 * 48);
+}
+
 /// Two triangles that share nothing but a point.
 void make_hinge(Model<2>& model) {
   model.mesh.point = {{0, 0}, {1e-3, 0}, {1e-3, 1e-3}, {2e-3, 1e-3}, {2e-3, 2e-3}};

@@ -7,6 +7,7 @@
 #include "modules/fracture/crack_pictures.hpp"
 #include "modules/fracture/fracture_fields.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -55,12 +56,9 @@ void Fracture<D>::declare(Model<D>& model) {
 template <int D>
 void Fracture<D>::bind(Model<D>& model) {
   const auto status = Kokkos::create_mirror_view(model.store.template get<FaceStatus>());
-  const auto& shared = model.topology.shared;
-  for (std::size_t f = 0; f < shared.size(); ++f) {
-    const Index law = laws_.between(model.body_material[model.mesh.body[shared[f].left]],
-                                    model.body_material[model.mesh.body[shared[f].right]]);
-    status(f) = law == kNone ? face_status::tied : face_status::bonded;
-  }
+  const std::vector<Index> law = law_of_faces(laws_, model);
+  for (std::size_t f = 0; f < law.size(); ++f)
+    status(f) = law[f] == kNone ? face_status::tied : face_status::bonded;
   Kokkos::deep_copy(model.store.template get<FaceStatus>(), status);
   Kokkos::deep_copy(model.store.template get<FaceInterface>(), kNone);
   resume(model);
@@ -91,7 +89,6 @@ void Fracture<D>::fill_faces(Model<D>& model) {
   const auto code = Kokkos::create_mirror_view(s.get<FaceCode>());
   const auto of_element = Kokkos::create_mirror_view(s.get<ElementFaces<D>>());
   Kokkos::deep_copy(of_element, kNone);
-  breakable_ = 0;
   for (std::size_t f = 0; f < shared.size(); ++f) {
     const SharedFace& face = shared[f];
     elements(f, 0) = face.left;
@@ -99,10 +96,10 @@ void Fracture<D>::fill_faces(Model<D>& model) {
     code(f) = static_cast<std::uint8_t>(face.left_face | face.right_face << 2 | face.rotation << 4);
     of_element(face.left, face.left_face) = static_cast<Index>(f);
     of_element(face.right, face.right_face) = static_cast<Index>(f);
-    const Index law = laws_.between(model.body_material[model.mesh.body[face.left]],
-                                    model.body_material[model.mesh.body[face.right]]);
-    breakable_ += law == kNone ? 0 : 1;
   }
+  const std::vector<Index> law = law_of_faces(laws_, model);
+  breakable_ = static_cast<Index>(
+      std::count_if(law.begin(), law.end(), [](Index of_face) { return of_face != kNone; }));
   Kokkos::deep_copy(s.get<FaceElements>(), elements);
   Kokkos::deep_copy(s.get<FaceCode>(), code);
   Kokkos::deep_copy(s.get<ElementFaces<D>>(), of_element);

@@ -55,12 +55,9 @@ StarMap<D> Insertion<D>::star_map(const Store& s) const {
 template <int D>
 Index Insertion<D>::start(Model<D>& model) {
   std::vector<Index> faces;
-  const auto& shared = model.topology.shared;
-  for (std::size_t f = 0; f < shared.size(); ++f) {
-    const Index l = model.body_material[model.mesh.body[shared[f].left]];
-    const Index r = model.body_material[model.mesh.body[shared[f].right]];
-    const Index law = table_.between(l, r);
-    if (law != kNone && table_.laws[static_cast<std::size_t>(law)].at_start)
+  const std::vector<Index> law = law_of_faces(table_, model);
+  for (std::size_t f = 0; f < law.size(); ++f) {
+    if (law[f] != kNone && table_.laws[static_cast<std::size_t>(law[f])].at_start)
       faces.push_back(static_cast<Index>(f));
   }
   if (!faces.empty())

@@ -1,6 +1,7 @@
 #include "modules/fracture/interface_laws.hpp"
 
 #include "core/log.hpp"
+#include "mesh/composite.hpp"
 #include "mesh/geometry.hpp"
 #include "point/cohesive_encode.hpp"
 
@@ -77,11 +78,13 @@ struct Heights {
 template <int D>
 std::vector<Heights> face_heights(const InterfaceLaws& laws, const Model<D>& model) {
   std::vector<Heights> heights(laws.laws.size());
-  for (const SharedFace& face : model.topology.shared) {
+  const std::vector<Index> law_of_face = law_of_faces(laws, model);
+  for (std::size_t f = 0; f < law_of_face.size(); ++f) {
+    const Index law = law_of_face[f];
+    if (law == kNone) continue;
+    const SharedFace& face = model.topology.shared[f];
     const Index l = model.body_material[model.mesh.body[face.left]];
     const Index r = model.body_material[model.mesh.body[face.right]];
-    const Index law = laws.between(l, r);
-    if (law == kNone) continue;
     const auto x = corners<D>(model.mesh, face.left);
     const double area = length(face_normal_area<D>(x, face.left_face));
     const double volume = std::abs(signed_volume<D>(x)) +
@@ -142,6 +145,20 @@ InterfaceLaws read_interface_laws(const Settings& scene, const std::vector<Mater
         require_material(materials, section, "between", names[1]));
   }
   return laws;
+}
+
+template <int D>
+std::vector<Index> law_of_faces(const InterfaceLaws& laws, const Model<D>& model) {
+  const auto composite = composite_of_elements(model.mesh);
+  std::vector<Index> law;
+  law.reserve(model.topology.shared.size());
+  for (const SharedFace& face : model.topology.shared) {
+    const bool inside = composite[face.left] == composite[face.right];
+    law.push_back(inside ? kNone
+                         : laws.between(model.body_material[model.mesh.body[face.left]],
+                                        model.body_material[model.mesh.body[face.right]]));
+  }
+  return law;
 }
 
 template <int D>
@@ -215,6 +232,8 @@ Onset watch_for(const InterfaceLaws& laws, Index material) {
 }
 
 template std::vector<InterfaceSide> interface_sides<2>(const Model<2>&);
+template std::vector<Index> law_of_faces(const InterfaceLaws&, const Model<2>&);
+template std::vector<Index> law_of_faces(const InterfaceLaws&, const Model<3>&);
 template std::vector<InterfaceSide> interface_sides<3>(const Model<3>&);
 template void check_interface_laws<2>(const InterfaceLaws&, const Model<2>&);
 template void check_interface_laws<3>(const InterfaceLaws&, const Model<3>&);

@@ -22,6 +22,11 @@ struct InterfaceLaws {
 /// Reads [fracture.*] and [[interface]]. Throws Error with place.
 InterfaceLaws read_interface_laws(const Settings& scene, const std::vector<Material>& materials);
 
+/// The law of each shared face; kNone where no law belongs to its materials and inside composites,
+/// which never break.
+template <int D>
+std::vector<Index> law_of_faces(const InterfaceLaws& laws, const Model<D>& model);
+
 /// Springs are made of these; per material.
 template <int D>
 std::vector<InterfaceSide> interface_sides(const Model<D>& model);
