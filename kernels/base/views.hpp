@@ -43,6 +43,12 @@ using Matrices = Kokkos::View<double* [D][D], Columns, Memory>;
 template <int D>
 using ConstMatrices = Kokkos::View<const double* [D][D], Columns, Memory>;
 
+/// One symmetric matrix per corner: (element, local node, component of Sym<D>).
+template <int D>
+using CornerMatrices = Kokkos::View<double * [D + 1][D * (D + 1) / 2], Rows, Memory>;
+template <int D>
+using ConstCornerMatrices = Kokkos::View<const double * [D + 1][D * (D + 1) / 2], Rows, Memory>;
+
 /// Pairs of numbers (begin, end).
 using Ranges = Kokkos::View<Index* [2], Rows, Memory>;
 using ConstRanges = Kokkos::View<const Index* [2], Rows, Memory>;

@@ -29,7 +29,7 @@ void surface_load(const SurfaceLoadIn<D>& in, const CornerForces<D>& force) {
           for (int j = 0; j < D; ++j) x[j] = row<D>(in.x, in.nodes(e, face_node<D>(in.face(k), j)));
           const double factor = law.ramp.factor(in.time, in.table) / D;
           const Vec<D> share =
-              (law.value * in.area(k) - area_vector(x) * (law.pressure * in.thickness)) * factor;
+              (row<D>(in.dead, k) - area_vector(x) * (law.pressure * in.thickness)) * factor;
           for (int j = 0; j < D; ++j) f[face_node<D>(in.face(k), j)] += share;
         }
         for (int a = 0; a <= D; ++a)

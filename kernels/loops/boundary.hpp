@@ -8,7 +8,7 @@ namespace breccia {
 /// One prescribed motion or surface load of the scene.
 template <int D>
 struct BoundaryLaw {
-  Vec<D> value;     ///< m/s for a motion, Pa for a traction
+  Vec<D> value;     ///< m/s, of a motion
   double pressure;  ///< Pa, follows the surface
   Ramp ramp;
 };
@@ -36,7 +36,7 @@ struct SurfaceLoadIn {
   ConstRanges faces;                           ///< per loaded element: stretch of the lists below
   Kokkos::View<const Index*, Memory> face;     ///< local face
   Kokkos::View<const Index*, Memory> face_law;
-  Kokkos::View<const double*, Memory> area;  ///< reference area, for tractions, m2
+  ConstVectors<D> dead;  ///< N on the face, of a fixed direction (tractions)
   double thickness;
   double time;
 };

@@ -1,6 +1,7 @@
 #include "loops/node_motion.hpp"
 
 #include "loops/compact.hpp"
+#include "point/absorbing.hpp"
 
 namespace breccia {
 
@@ -35,6 +36,11 @@ struct NodeMotionLoop {
     total += drag;
 
     Vec<D> v_new = v + total * (in.kick / m);
+    if ((flags & in.absorb_bit) != 0) {
+      const Vec<D> lost = absorb(n, begin, end, flags, v, total, v_new);
+      work[7] += dot(lost, (v + v_new) * (0.5 * in.kick));
+      total += lost;
+    }
     Vec<D> reaction = Vec<D>::zero();
     if ((flags & in.fixed_bits) != 0) hold(n, flags, m, v, total, v_new, reaction);
 
@@ -99,6 +105,25 @@ struct NodeMotionLoop {
       for (int c = 0; c < kExtraClasses; ++c)
         for (int d = 0; d < D; ++d) f.extra[c][d] += share[c] * base[c][at + d];
     }
+  }
+
+  /// Force of the boundary on a node that lets waves out; its velocity after the kick.
+  KOKKOS_FUNCTION
+  Vec<D> absorb(Index n, Index begin, Index end, std::uint32_t flags, const Vec<D>& v,
+                const Vec<D>& total, Vec<D>& v_new) const {
+    Sym<D> c = Sym<D>::zero();
+    for (Index k = begin; k < end; ++k) {
+      const Index corner = in.corner_list(k);
+      const Index at = in.absorber(corner / (D + 1));
+      if (at < 0) continue;
+      for (int i = 0; i < Sym<D>::size; ++i) c.s[i] += in.absorbing(at, corner % (D + 1), i);
+    }
+    const auto boundary = static_cast<Index>(flags >> in.boundary_shift);
+    const std::uint32_t held = flags & in.fixed_bits;
+    for (int d = 0; d < D; ++d)
+      if ((held & (1u << d)) != 0) v_new[d] = in.boundary_velocity(boundary, d);
+    absorbing_kick(in.mass(n), in.kick, c, v, total, held, v_new);
+    return (c * (v + v_new)) * -0.5;
   }
 
   KOKKOS_FUNCTION

@@ -7,8 +7,8 @@
 namespace breccia {
 
 /// Number of force classes of which the motion loop books the work: element, interface,
-/// contact, load, gravity, constraint, relaxation (step/ledger.hpp).
-inline constexpr int kWorks = 7;
+/// contact, load, gravity, constraint, relaxation, absorber (step/ledger.hpp).
+inline constexpr int kWorks = 8;
 
 /// Corner force classes besides the element's own; a node has them where its flag bit is set.
 inline constexpr int kExtraClasses = 3;
@@ -23,7 +23,10 @@ struct NodeMotionIn {
   Kokkos::View<const std::uint32_t*, Memory> flags;
   Kokkos::View<const double*, Memory> mass;
   ConstVectors<D> boundary_velocity;
-  Vec<D> gravity;            ///< m/s2
+  Vec<D> gravity;                               ///< m/s2
+  Kokkos::View<const Index*, Memory> absorber;  ///< row of an element in `absorbing`, or none
+  ConstCornerMatrices<D> absorbing;             ///< kg/s, at the corners of such elements
+  std::uint32_t absorb_bit = 0;                 ///< 0 where no boundary lets waves out
   double resisting = 0;      ///< share of the net force that resists motion (local damping)
   double dt, kick;           ///< s
   std::uint32_t fixed_bits;  ///< mask of the prescribed components in `flags`
@@ -40,6 +43,7 @@ struct NodeMotionOut {
 /// Gathers the forces of each node in corner order and moves it:
 ///   v += kick f / m,  x += dt v,  dW_k = f_k . (v_old + v_new) / 2 kick.
 /// Local damping adds -resisting |f_d| sign(v_d) in every component that is free.
+/// Boundaries that let waves out resist with -C (v_old + v_new) / 2.
 /// Prescribed components take the boundary's velocity; what holds them is their reaction.
 template <int D>
 void node_motion(Index nodes, const NodeMotionIn<D>& in, const NodeMotionOut<D>& out);

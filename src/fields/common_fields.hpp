@@ -47,6 +47,7 @@ inline constexpr std::uint32_t fixed_any = 7;
 inline constexpr std::uint32_t interface = 8;  // has interface corner forces
 inline constexpr std::uint32_t contact = 16;   // may have contact corner forces
 inline constexpr std::uint32_t load = 32;      // has surface loads
+inline constexpr std::uint32_t absorb = 64;    // lies on a boundary that lets waves out
 inline constexpr int boundary_shift = 16;      // number of the prescribed motion in the high bits
 }  // namespace node_flag
 
@@ -211,6 +212,21 @@ struct BoundaryVelocity {
   using View = Vectors<D>;
   static constexpr FieldInfo info{"boundary_velocity", Entity::boundary, "m/s", Restart::no,
                                   "prescribed velocity at the middle of the step"};
+};
+
+/// Row of absorber_damping of the elements on a boundary that lets waves out, none elsewhere.
+struct ElementAbsorber {
+  using View = Array<Index>;
+  static constexpr FieldInfo info{"element_absorber", Entity::element, "1", Restart::no,
+                                  "row of the element's absorber_damping, or none"};
+};
+
+/// Resistance at each corner of such an element, the components of Sym<D>: force = -C v.
+template <int D>
+struct AbsorberDamping {
+  using View = CornerMatrices<D>;
+  static constexpr FieldInfo info{"absorber_damping", Entity::absorber, "kg/s", Restart::no,
+                                  "resistance of the boundary at each corner of the element"};
 };
 
 /// Force that holds a prescribed node on its way; zero in free components.

@@ -15,6 +15,7 @@ enum class Entity {
   face,
   interface,
   boundary,
+  absorber,
   material,
   contact_point,
   count_

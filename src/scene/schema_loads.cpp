@@ -2,6 +2,8 @@
 #include "core/text.hpp"
 #include "scene/schema_rules.hpp"
 
+#include <algorithm>
+
 namespace breccia {
 
 namespace {
@@ -12,6 +14,10 @@ void declare_gravity(Schema& schema) {
       .required()
       .doc("The acceleration.")
       .example("[0, \"-9.81 m/s2\"]");
+  s.number("ramp", unit::time)
+      .above(0)
+      .doc("Time of a smooth rise from zero to the full acceleration.")
+      .example("10 ms");
 }
 
 void declare_plane(Schema& schema, const std::string& section) {
@@ -59,6 +65,14 @@ void declare_boundaries(Schema& schema) {
   s.number("pressure", unit::pressure)
       .doc("Pressure on the free faces there, following them; positive pushes.")
       .example("3 MPa");
+  s.flag("symmetry")
+      .doc("true: the plane of a mirror; nothing moves through it. For a `plane` along two axes.");
+  s.flag("non_reflecting")
+      .doc("true: the free faces there let waves out, and hold the initial stress of the ground.");
+  s.vector("input", unit::velocity)
+      .doc("Motion that comes in through a non-reflecting boundary, as it would be far inside.")
+      .example("[\"0.1 m/s\", 0]");
+  s.flag("held").doc("true: the free faces there carry the traction of the initial stress.");
   s.number("ramp", unit::time)
       .above(0)
       .doc("Time of a smooth rise from zero to the full value.")
@@ -67,7 +81,8 @@ void declare_boundaries(Schema& schema) {
       .doc("Rows [time, factor] that the value is multiplied by, linear between the rows.")
       .example("[[0, 0], [\"0.1 ms\", 1], [\"1 ms\", 0]]");
   s.exactly_one_of({"where", "plane", "box"});
-  s.exactly_one_of({"velocity", "fixed", "traction", "pressure"});
+  s.exactly_one_of(
+      {"velocity", "fixed", "symmetry", "traction", "pressure", "non_reflecting", "held"});
   s.at_most_one_of({"ramp", "table"});
   declare_plane(schema, "boundary[]");
   declare_box(schema, "boundary[]", "Nodes and free faces inside a box.");
@@ -127,6 +142,31 @@ void check_stress(const Settings& section, std::size_t dimension, Problems& prob
     problems.add(section.error("axis", "there is no z in the plane", "x or y"));
 }
 
+void check_kind(const Settings& boundary, Problems& problems) {
+  for (const char* key : {"symmetry", "non_reflecting", "held"})
+    if (boundary.has(key) && !boundary.flag(key))
+      problems.add(boundary.error(key, "false says nothing", "write true, or leave it out"));
+  if (boundary.has("input") && !boundary.has("non_reflecting"))
+    problems.add(boundary.error("input", "comes in through a non-reflecting boundary only",
+                                "add non_reflecting = true, or prescribe a velocity"));
+  for (const char* key : {"ramp", "table"})
+    if (boundary.has(key) &&
+        (boundary.has("held") || boundary.has("symmetry") || boundary.has("fixed") ||
+         (boundary.has("non_reflecting") && !boundary.has("input"))))
+      problems.add(boundary.error(key, "there is nothing here that could rise"));
+  if (!boundary.has("symmetry")) return;
+  if (!boundary.has("plane")) {
+    problems.add(boundary.error("symmetry", "needs a plane to mirror at",
+                                "plane = { point = [0, 0], normal = [1, 0] }"));
+    return;
+  }
+  const std::vector<double>& normal = boundary.at("plane").vector("normal");
+  if (std::count(normal.begin(), normal.end(), 0.0) + 1 != static_cast<long>(normal.size()))
+    problems.add(boundary.at("plane").error(
+        "normal", "a mirror's normal must be along an axis",
+        "turn the scene so that the plane of symmetry is along the axes"));
+}
+
 }  // namespace
 
 void declare_load_keys(Schema& schema) {
@@ -139,6 +179,7 @@ void check_load_rules(const Settings& scene, Problems& problems) {
   for (const Settings& boundary : scene.list("boundary")) {
     if (boundary.has("plane")) check_direction(boundary.at("plane"), "normal", problems);
     check_box(boundary, problems);
+    check_kind(boundary, problems);
   }
   const auto dimension = static_cast<std::size_t>(scene.at("run").integer("dimension"));
   for (const Settings& section : scene.list("initial_stress")) {

@@ -13,6 +13,7 @@ enum class ForceClass {
   gravity,
   constraint,
   relaxation,
+  absorber,
   count_
 };
 inline constexpr int kForceClasses = static_cast<int>(ForceClass::count_);

@@ -179,7 +179,7 @@ TOGETHER = [
     Case("boundary nowhere", edit=[(PLANE_OF_FOOT, "")],
          says=["boundary.foot: needs one of where, plane, box"]),
     Case("boundary that does nothing", edit=[(FIXED, "")],
-         says=["boundary.foot: needs one of velocity, fixed, traction, pressure"]),
+         says=["boundary.foot: needs one of velocity, fixed, symmetry, traction, pressure"]),
     Case("boundary that does two things", edit=[(FIXED, FIXED + '\npressure = "1 MPa"')],
          at="pressure", says=["boundary.foot: fixed and pressure exclude each other"]),
     Case("ramp and table", edit=[('ramp     = "1 us"', 'ramp = "1 us"\ntable = [[0, 0], [1, 1]]')],

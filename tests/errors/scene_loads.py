@@ -60,4 +60,39 @@ REST = [
          says=["run.rest.after: 0.001 s is beyond the run (duration 1e-05 s)"]),
 ]
 
-CASES = STRESS + REST
+FIXED = 'fixed = ["free", 0]'
+PLANE_OF_FOOT = "plane = { point = [0, 0], normal = [0, 1] }"
+SIDE = '[[boundary]]\nwhere = "block.top"\n'
+
+KINDS = [
+    Case("waves let out twice", edit=add((SIDE + "non_reflecting = true\n") * 2),
+         says=["lets waves out twice", "the one at scene.toml:"]),
+    Case("input into a wall", edit=add(SIDE + "held = true\ninput = [0, 1]\n"), at="input",
+         says=["comes in through a non-reflecting boundary only"]),
+    Case("waves not let out", edit=add(SIDE + "non_reflecting = false\n"), at="non_ref",
+         says=["false says nothing", "write true, or leave it out"]),
+    Case("stress held that is not there", edit=add(SIDE + "held = true\n"), at="held =",
+         says=["the scene has no [[initial_stress]] to hold"]),
+    Case("ramp of what does not rise",
+         edit=add(SIDE + 'non_reflecting = true\nramp = "3 us"\n'), at="3 us",
+         says=["there is nothing here that could rise"]),
+    Case("mirror without a plane", edit=add(SIDE + "symmetry = true\n"), at="symmetry",
+         says=["needs a plane to mirror at"]),
+    Case("mirror askew",
+         edit=[(FIXED, "symmetry = true"), ("normal = [0, 1]", "normal = [1, 1]"),
+               ('reaction = "foot"', 'reaction = "plate"')], at="normal = [1, 1]",
+         says=["a mirror's normal must be along an axis"]),
+    Case("mirror that is pushed through",
+         edit=add('[[boundary]]\nplane = { point = [0, 0], normal = [0, 1] } # 2\n'
+                  'velocity = ["free", "1 m/s"]\n') + [(FIXED, "symmetry = true")],
+         says=["component y of node", "is prescribed twice, with different values"]),
+    Case("waves let out inside",
+         edit=add('[[boundary]]\nbox = { lower = ["9 mm", "4 mm"], upper = ["11 mm", "6 mm"] }\n'
+                  "non_reflecting = true\n"),
+         says=["free faces and none lies there"]),
+    Case("gravity that rises at once",
+         edit=[('[0, "-9.81 m/s2"]', '[0, "-9.81 m/s2"]\nramp = 0')], at="ramp = 0",
+         says=["gravity.ramp: 0 s is out of range; allowed: above 0 s"]),
+]
+
+CASES = STRESS + REST + KINDS

@@ -6,24 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace breccia {
 
 namespace {
 
 bool is_motion(const Settings& section) {
-  return section.has("velocity") || section.has("fixed");
-}
-
-/// Reference area of a face, m2 (length times thickness in the plane).
-template <int D>
-double face_area(const Model<D>& model, const ElementFace& face) {
-  Vec<D> x[D];
-  for (int j = 0; j < D; ++j) {
-    const Index n = model.mesh.element[face.element][face_node<D>(face.face, j)];
-    for (int d = 0; d < D; ++d) x[j][d] = model.mesh.point[n][d];
-  }
-  return norm(area_vector(x)) * model.thickness;
+  return section.has("velocity") || section.has("fixed") || section.has("symmetry");
 }
 
 }  // namespace
@@ -43,6 +33,13 @@ void Boundary<D>::declare(Model<D>& model) {
     model.store.template add<NodeReaction<D>>(key());
   }
   if (loads_) model.store.template add<LoadForce<D>>(key());
+  if (absorbing_.empty()) return;
+  std::set<Index> elements;
+  for (const auto& [face, law] : absorbing_) elements.insert(face.element);
+  const auto absorbers = static_cast<Index>(elements.size());
+  model.store.set_size(Entity::absorber, absorbers, absorbers);
+  model.store.template add<ElementAbsorber>(key());
+  model.store.template add<AbsorberDamping<D>>(key());
 }
 
 template <int D>
@@ -58,10 +55,10 @@ void Boundary<D>::read(const Model<D>& model) {
       moves_ = true;
       hold(model, sections[i], law, region);
     } else {
-      loads_ = true;
       load(model, law, region, sections[i]);
     }
   }
+  loads_ = !face_loads_.empty();
 }
 
 template <int D>
@@ -72,8 +69,6 @@ void Boundary<D>::read_laws(const Model<D>& model) {
       const Components& velocity = section.components("velocity");
       for (int d = 0; d < D; ++d) law.value[d] = velocity[d].value_or(0.0);
     }
-    if (section.has("traction"))
-      for (int d = 0; d < D; ++d) law.value[d] = section.vector("traction")[d];
     if (section.has("pressure")) law.pressure = section.number("pressure");
     if (section.has("ramp")) law.ramp.ramp = section.number("ramp");
     law.ramp.begin = static_cast<Index>(tables_.size());
@@ -82,22 +77,37 @@ void Boundary<D>::read_laws(const Model<D>& model) {
     law.ramp.end = static_cast<Index>(tables_.size());
     laws_.push_back(law);
   }
+  constant_ = static_cast<Index>(laws_.size());
+  laws_.push_back({Vec<D>::zero(), 0, {}});
 }
+
+namespace {
+
+/// Whether a section prescribes component d.
+template <int D>
+bool holds(const Settings& section, int d) {
+  if (section.has("velocity")) return section.components("velocity")[d].has_value();
+  if (section.has("fixed")) return section.components("fixed")[d].has_value();
+  const std::vector<double>& normal = section.at("plane").vector("normal");
+  return normal[static_cast<std::size_t>(d)] != 0;
+}
+
+}  // namespace
 
 template <int D>
 void Boundary<D>::hold(const Model<D>& model, const Settings& section, Index law,
                        const Region& region) {
   for (int d = 0; d < D; ++d) {
-    const bool held = section.has("velocity") ? section.components("velocity")[d].has_value()
-                                              : section.components("fixed")[d].has_value();
-    if (!held) continue;
+    if (!holds<D>(section, d)) continue;
     for (const Index n : region.points) {
       Index& source = node_sources_[static_cast<std::size_t>(n)][static_cast<std::size_t>(d)];
       if (source != kNone && source != law) {
         const BoundaryLaw<D>&a = laws_[source], &b = laws_[law];
         if (a.value[d] != b.value[d] || (a.value[d] != 0 && a.ramp.ramp != b.ramp.ramp))
           throw section.error(
-              section.has("velocity") ? "velocity" : "fixed",
+              section.has("velocity") ? "velocity"
+              : section.has("fixed")  ? "fixed"
+                                      : "symmetry",
               fmt::format("component {} of node {} is prescribed twice, with different values",
                           "xyz"[d], n),
               fmt::format("make this boundary and the one at {} apart, or free the component in "
@@ -107,20 +117,6 @@ void Boundary<D>::hold(const Model<D>& model, const Settings& section, Index law
       source = law;
     }
   }
-}
-
-template <int D>
-void Boundary<D>::load(const Model<D>& model, Index law, const Region& region,
-                       const Settings& section) {
-  for (const ElementFace& face : region.faces) {
-    if (!std::binary_search(model.topology.free.begin(), model.topology.free.end(), face)) continue;
-    face_laws_[face].push_back(law);
-    face_area_[face] = face_area(model, face);
-  }
-  if (face_laws_.empty())
-    throw section.error(
-        "", "a traction or pressure needs free faces and none lies there",
-        "choose a side of a body (such as \"disc.rim\"), or a plane on its surface");
 }
 
 template <int D>
@@ -151,9 +147,12 @@ void Boundary<D>::bind(Model<D>& model) {
     for (int d = 0; d < D; ++d)
       if (node_sources_[n][d] != kNone) flags(n) |= node_flag::fixed_x << d;
   }
-  for (const auto& [face, laws] : face_laws_)
+  const auto mark = [&](const ElementFace& face, std::uint32_t bit) {
     for (int j = 0; j < D; ++j)
-      flags(model.mesh.element[face.element][face_node<D>(face.face, j)]) |= node_flag::load;
+      flags(model.mesh.element[face.element][face_node<D>(face.face, j)]) |= bit;
+  };
+  for (const auto& [face, loads] : face_loads_) mark(face, node_flag::load);
+  for (const auto& [face, law] : absorbing_) mark(face, node_flag::absorb);
   Kokkos::deep_copy(model.store.template get<NodeFlags>(), flags);
 }
 
@@ -176,35 +175,7 @@ void Boundary<D>::resume(Model<D>& model) {
   load_.table = motion_.table;
   load_.thickness = model.thickness;
   make_faces();
-}
-
-template <int D>
-void Boundary<D>::make_faces() {
-  std::vector<Index> element, face, law;
-  std::vector<double> area;
-  std::vector<std::array<Index, 2>> range;
-  for (const auto& [where, laws] : face_laws_) {
-    if (element.empty() || element.back() != where.element) {
-      element.push_back(where.element);
-      range.push_back({static_cast<Index>(face.size()), static_cast<Index>(face.size())});
-    }
-    for (const Index l : laws) {
-      face.push_back(where.face);
-      law.push_back(l);
-      area.push_back(face_area_.at(where));
-    }
-    range.back()[1] = static_cast<Index>(face.size());
-  }
-  load_.element = to_device("breccia::boundary::element", element);
-  load_.face = to_device("breccia::boundary::face", face);
-  load_.face_law = to_device("breccia::boundary::face_law", law);
-  load_.area = to_device("breccia::boundary::area", area);
-  Ranges ranges("breccia::boundary::faces", range.size());
-  const auto host = Kokkos::create_mirror_view(ranges);
-  for (std::size_t i = 0; i < range.size(); ++i)
-    for (int j = 0; j < 2; ++j) host(i, j) = range[i][j];
-  Kokkos::deep_copy(ranges, host);
-  load_.faces = ranges;
+  if (!absorbing_.empty()) make_absorbers(model);
 }
 
 template <int D>

@@ -25,15 +25,26 @@ class Boundary final : public Module<D> {
   void read_laws(const Model<D>& model);
   void hold(const Model<D>& model, const Settings& section, Index law, const Region& region);
   void load(const Model<D>& model, Index law, const Region& region, const Settings& section);
+  /// Force on a face at the full factor of its law, of a fixed direction, N.
+  Vec<D> dead_force(const Model<D>& model, const Settings& section, const ElementFace& face) const;
+  void let_out(const Model<D>& model, Index law, const ElementFace& face, const Settings& section);
+  void make_absorbers(Model<D>& model);
   void make_rows(std::vector<Index>& row_of_node);
   void make_faces();
 
+  /// What loads a face: the law of its course over time, its force of a fixed direction.
+  struct FaceLoad {
+    Index law;
+    Vec<D> dead;  ///< N
+  };
+
   bool moves_ = false, loads_ = false;
+  Index constant_ = 0;  ///< number of the law that is one at all times
   std::vector<BoundaryLaw<D>> laws_;
   std::vector<std::array<double, 2>> tables_;
-  std::vector<Sources> node_sources_;                    ///< per node, while reading
-  std::map<ElementFace, std::vector<Index>> face_laws_;  ///< while reading
-  std::map<ElementFace, double> face_area_;
+  std::vector<Sources> node_sources_;                        ///< per node, while reading
+  std::map<ElementFace, std::vector<FaceLoad>> face_loads_;  ///< while reading
+  std::map<ElementFace, Index> absorbing_;  ///< faces that let waves out, and their section
   std::vector<Sources> rows_;
   BoundaryMotionIn<D> motion_;
   SurfaceLoadIn<D> load_;

@@ -164,6 +164,11 @@ void Motion<D>::move(Model<D>& model, const Clock& clock) {
   in.boundary_velocity = s.get_or_empty<BoundaryVelocity<D>>();
   in.gravity = model.gravity;
   in.resisting = model.rest.share;
+  if (s.has<ElementAbsorber>()) {
+    in.absorber = s.get<ElementAbsorber>();
+    in.absorbing = s.get<AbsorberDamping<D>>();
+    in.absorb_bit = node_flag::absorb;
+  }
   in.dt = clock.dt;
   in.kick = clock.kick();
   in.fixed_bits = node_flag::fixed_any;
@@ -250,6 +255,8 @@ void Motion<D>::book_after(const Model<D>& model, const Clock& clock, Ledger& le
     ledger.work_middle[k] += 0.5 * moment * (work[k] - ledger.work_middle[k]);
   }
   const auto spent = [&ledger](ForceClass c) { return -ledger.work_middle[static_cast<int>(c)]; };
+  if (model.store.template has<ElementAbsorber>())
+    ledger.add("ABSORBED", EnergyKind::dissipated, spent(ForceClass::absorber));
   if (model.rest.wanted) ledger.add("RELAX", EnergyKind::dissipated, spent(ForceClass::relaxation));
 }
 

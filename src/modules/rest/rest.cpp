@@ -23,6 +23,7 @@ double end_of_ramps(const Settings& scene) {
     if (section.has("ramp")) end = std::max(end, section.number("ramp"));
     if (section.has("table")) end = std::max(end, section.points("table").back()[0]);
   };
+  if (scene.has("gravity")) take(scene.at("gravity"));
   for (const Settings& boundary : scene.list("boundary")) take(boundary);
   return end;
 }
