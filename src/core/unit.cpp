@@ -214,6 +214,8 @@ constexpr std::array named{
     NamedDimension{unit::force, "force", "N", "10 kN"},
     NamedDimension{unit::energy, "energy", "J", "5 J"},
     NamedDimension{unit::power, "power", "W", "2 kW"},
+    NamedDimension{unit::specific_energy, "energy per mass", "J/kg", "5 MJ/kg"},
+    NamedDimension{unit::heat_capacity, "heat capacity per mass", "J/(kg.K)", "383 J/(kg.K)"},
     NamedDimension{unit::pressure, "pressure", "Pa", "60 GPa"},
     NamedDimension{unit::surface_energy, "energy per area", "J/m2", "50 J/m2"},
     NamedDimension{unit::interface_stiffness, "stiffness per area", "Pa/m", "10 GPa/m"},

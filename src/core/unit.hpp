@@ -36,6 +36,8 @@ inline constexpr Dimension density{-3, 1, 0, 0, 0};
 inline constexpr Dimension force{1, 1, -2, 0, 0};
 inline constexpr Dimension energy{2, 1, -2, 0, 0};
 inline constexpr Dimension power{2, 1, -3, 0, 0};
+inline constexpr Dimension specific_energy{2, 0, -2, 0, 0};  ///< J/kg
+inline constexpr Dimension heat_capacity{2, 0, -2, -1, 0};   ///< J/(kg.K)
 inline constexpr Dimension pressure{-1, 1, -2, 0, 0};
 inline constexpr Dimension surface_energy{0, 1, -2, 0, 0};        ///< J/m2 = N/m
 inline constexpr Dimension interface_stiffness{-2, 1, -2, 0, 0};  ///< Pa/m

@@ -67,22 +67,66 @@ void declare_eos(Schema& schema) {
     words.emplace_back(keys.word);
   }
   eos.exactly_one_of(words);
+  auto pores = schema.section("material.*.eos.pores")
+                   .doc("Pores that close under pressure and do not open again (P-alpha).");
+  declare_pores(pores);
+}
+
+MaterialBasis basis_of(const Settings& material) {
+  const double young = material.number("elastic.young"), nu = material.number("elastic.poisson");
+  return {material.number("density"), young / (3 * (1 - 2 * nu)), young / (2 * (1 + nu))};
 }
 
 void check_laws(const Settings& material, Problems& problems) {
-  const double young = material.number("elastic.young"), nu = material.number("elastic.poisson");
-  const MaterialBasis basis{material.number("density"), young / (3 * (1 - 2 * nu)),
-                            young / (2 * (1 + nu))};
   try {
-    read_plastic(material, basis);
+    read_plastic(material, basis_of(material));
   } catch (const Error& e) {
     problems.add(e);
   }
   if (!material.has("eos")) return;
   try {
-    read_eos(material.at("eos"), basis);
+    read_eos(material.at("eos"), basis_of(material));
   } catch (const Error& e) {
     problems.add(e);
+  }
+}
+
+/// A-1.7e: cracks belong to the interfaces, so the bulk must bear the tension that opens them.
+void check_tension(const Settings& face, const Settings& material, Problems& problems) {
+  const double wanted = face.number("tensile_strength");
+  const auto borne = tension_of_bulk(read_plastic(material, basis_of(material)));
+  if (borne && *borne < wanted) {
+    problems.add(face.error(
+        "tensile_strength",
+        "the bulk of " + material.name() + " yields in simple tension at " + number_text(*borne) +
+            " Pa, below these " + number_text(wanted) + " Pa; the faces would never open",
+        "raise the strength of the bulk (its tension cut-off first), or lower this one"));
+  }
+  if (!material.has("eos")) return;
+  for (const EosKeys& keys : eos_keys()) {
+    const std::string section = std::string("eos.") + keys.word;
+    if (!material.has(section) || !material.has(section + ".spall")) continue;
+    const double spall = material.number(section + ".spall");
+    if (3 * spall >= wanted) continue;
+    problems.add(
+        face.error("tensile_strength",
+                   "the bulk of " + material.name() + " bears a mean tension of " +
+                       number_text(spall) + " Pa (" + section +
+                       ".spall), too little for this in simple tension; the faces would never open",
+                   "raise or leave out spall"));
+  }
+}
+
+void check_tension_of_faces(const Settings& scene, Problems& problems) {
+  for (const Settings& face : scene.children("fracture")) {
+    const Settings* material = scene.find("material", face.name());
+    if (material != nullptr) check_tension(face, *material, problems);
+  }
+  for (const Settings& face : scene.list("interface")) {
+    for (const std::string& name : face.texts("between")) {
+      const Settings* material = scene.find("material", name);
+      if (material != nullptr) check_tension(face, *material, problems);
+    }
   }
 }
 
@@ -103,16 +147,18 @@ void check_material_rules(const Settings& scene, Problems& problems) {
       continue;
     }
     check_laws(material, problems);
+    if (!plane_stress) continue;
     for (const PlasticKeys& keys : plastic_keys()) {
-      if (!plane_stress || !material.has(keys.word)) continue;
+      if (!material.has(keys.word)) continue;
       problems.add(material.at(keys.word).error("", "laws of yielding are for plane strain",
                                                 "write run.plane = \"strain\""));
     }
-    if (plane_stress && material.has("eos")) {
+    if (material.has("eos")) {
       problems.add(material.at("eos").error("", "equations of state are for plane strain",
                                             "write run.plane = \"strain\""));
     }
   }
+  if (problems.empty()) check_tension_of_faces(scene, problems);
 }
 
 }  // namespace breccia

@@ -4,6 +4,7 @@
 #include "point/eos.hpp"
 #include "point/plastic_laws.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace breccia {
@@ -23,6 +24,11 @@ struct PlasticKeys {
   PlasticLaw (*read)(const Settings& law, const MaterialBasis&);  ///< \throws Error: wrong together
 };
 
+// The laws that have a file of keys of their own.
+PlasticKeys drucker_prager_keys();
+PlasticKeys mohr_coulomb_keys();
+PlasticKeys holmquist_keys();
+
 /// The scene keys of one equation of state: [material.NAME.eos.word].
 struct EosKeys {
   const char* word;
@@ -35,9 +41,17 @@ struct EosKeys {
 const std::vector<PlasticKeys>& plastic_keys();
 const std::vector<EosKeys>& eos_keys();
 
+/// The keys of [material.NAME.eos.pores].
+void declare_pores(SectionBuilder section);
+Pores read_pores(const Settings& section);
+
 /// The law of a material, NoYield where none is given; the equation of state of its section `eos`.
 /// \throws Error where values do not go together.
 PlasticLaw read_plastic(const Settings& material, const MaterialBasis& basis);
 Eos read_eos(const Settings& eos, const MaterialBasis& basis);
+
+/// Largest stress in simple tension that the bulk of a material bears, Pa; nothing where it is not
+/// limited.
+std::optional<double> tension_of_bulk(const PlasticLaw& law);
 
 }  // namespace breccia
