@@ -17,7 +17,7 @@ POINT = 'point = ["10 mm", "9 mm"]'
 NAMES = [
     Case("key misspelt", edit=[("density = \"2650", "densty = \"2650")], at="densty",
          says=["material.granite.densty: no such key. Did you mean 'density' [kg/m3]?",
-               "keys here: bulk_viscosity, damping, density [kg/m3], elastic", "docs/input.md#materialname",
+               "keys here: bulk_viscosity, damping, density [kg/m3], drucker_prager, elastic", "docs/input.md#materialname",
                "breccia help material"]),
     Case("key misspelt deep inside", edit=[("poisson = 0.25", "poison = 0.25")], at="poison =",
          says=["material.granite.elastic.poison: no such key. Did you mean 'poisson'?",
