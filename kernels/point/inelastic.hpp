@@ -32,8 +32,8 @@ namespace breccia {
 //   double update(strain, history, dt)   returns a trial state to the elastic domain
 // `update` gets the trial e_i in any order and puts the elastic ones in their places; it moves
 // the history on by dt [s] and gives the plastic work per reference volume [J/m3], never negative.
-// It is called where `beyond` is above 0 (a law whose history moves in the elastic domain too
-// says 1 everywhere).
+// It is called where `beyond` is above 0; at every point where the law says kAlwaysUpdate = true (a
+// history that moves in the elastic domain too).
 // With an equation of state the caller chooses the trial strain such that K (e_1 + e_2 + e_3) is
 // minus the pressure of that equation, and afterwards takes the deviator only.
 
@@ -58,6 +58,12 @@ concept InelasticLaw = std::is_trivially_copyable_v<L> && L::kHistory >= 0 &&
   { law.shear } -> std::convertible_to<double>;
   { law.beyond(x, x, history) } -> std::same_as<double>;
   { law.update(strain, memory, x) } -> std::same_as<double>;
+};
+
+/// A law that asks to be called for points in the elastic domain too.
+template <class L>
+inline constexpr bool kAlwaysUpdates = requires {
+  requires L::kAlwaysUpdate;
 };
 
 /// eq:plastic-1 and its inverse.

@@ -69,6 +69,7 @@ struct DruckerPrager {
   }
 
   /// Largest stress in simple tension, Pa, before any plastic strain.
+  KOKKOS_INLINE_FUNCTION
   double uniaxial_tension() const {
     const double b = strength(0.0);
     return minimum(b / (0.5773502691896258 + friction / 3), 3 * tension_limit(b));

@@ -61,6 +61,7 @@ struct Holmquist {
                                  : Residual{1, 0};
   }
   /// Largest stress in simple tension of the intact material, Pa: q = Yi at P = -q / 3.
+  KOKKOS_INLINE_FUNCTION
   double uniaxial_tension() const {
     return bracketed_root(
         [&](double q) {

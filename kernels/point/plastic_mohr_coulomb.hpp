@@ -36,6 +36,7 @@ struct MohrCoulomb {
     return 2 * sin_phi * cut > strength_now ? strength_now / (2 * sin_phi) : cut;
   }
   /// Largest stress in simple tension, Pa, before any plastic strain.
+  KOKKOS_INLINE_FUNCTION
   double uniaxial_tension() const {
     const double k = strength(0.0);
     return minimum(k / (1 + sin_phi), tension_limit(k));

@@ -14,6 +14,7 @@ template <class Law>
 struct RateDependent : Law {
   static_assert(Law::kHistory == 1);
   static constexpr int kHistory = 3;
+  static constexpr bool kAlwaysUpdate = true;  ///< the rate is to be known before anything yields
   static constexpr std::array<HistoryEntry, 3> kHistoryEntries{
       kPlasticStrain, HistoryEntry{"strain_size", "1", "size of the elastic strain"},
       HistoryEntry{"strain_rate", "1/s", "filtered rate of strain"}};
@@ -21,7 +22,7 @@ struct RateDependent : Law {
   double rate_exponent = 0;   ///< n
   double filter_time = 0;     ///< s; 0: twenty steps
 
-  /// Everywhere: the rate is to be known in the elastic domain too.
+  /// Everywhere, see kAlwaysUpdate.
   template <class R>
   KOKKOS_FUNCTION
   R beyond(const R& /*mean*/, const R& /*root_j2*/, const R* /*history*/) const { return R(1); }
