@@ -65,6 +65,9 @@ struct Eos {
     return k > least ? k : least;
   }
 
+  KOKKOS_FUNCTION
+  double bulk_modulus(const EosState& s) const { return bulk_modulus(s.rho, s.e, s.alpha); }
+
   /// The material at rest.
   KOKKOS_FUNCTION
   EosState start() const {

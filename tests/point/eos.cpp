@@ -89,6 +89,7 @@ TEST(Eos, SoundIsRealEverywhere) {
   }
   EXPECT_NEAR(copper().bulk_modulus(8930, 0), 8930 * 3940.0 * 3940, 1);
   EXPECT_NEAR(aluminium().bulk_modulus(2700, 0), 75.2e9, 1);
+  EXPECT_NEAR(tuff().bulk_modulus(tuff().start()), 2650 * 3500.0 * 3500 / 1.25, 10);
   EXPECT_NEAR(air().bulk_modulus(1.2, air().energy0), 1.4 * 1e5, 1e-6);
 }
 
