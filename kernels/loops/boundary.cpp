@@ -27,7 +27,8 @@ void surface_load(const SurfaceLoadIn<D>& in, const CornerForces<D>& force) {
           const BoundaryLaw<D>& law = in.law(in.face_law(k));
           Vec<D> x[D];
           for (int j = 0; j < D; ++j) x[j] = row<D>(in.x, in.nodes(e, face_node<D>(in.face(k), j)));
-          const double factor = law.ramp.factor(in.time, in.table) / D;
+          const double factor =
+              in.reach(k, 0) * law.ramp.factor(in.time - in.reach(k, 1), in.table) / D;
           const Vec<D> share =
               (row<D>(in.dead, k) - area_vector(x) * (law.pressure * in.thickness)) * factor;
           for (int j = 0; j < D; ++j) f[face_node<D>(in.face(k), j)] += share;

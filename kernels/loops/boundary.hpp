@@ -36,6 +36,8 @@ struct SurfaceLoadIn {
   ConstRanges faces;                           ///< per loaded element: stretch of the lists below
   Kokkos::View<const Index*, Memory> face;     ///< local face
   Kokkos::View<const Index*, Memory> face_law;
+  /// Per face: share of its law's value and delay of its course, s (distance from a source).
+  ConstVectors<2> reach;
   ConstVectors<D> dead;  ///< N on the face, of a fixed direction (tractions)
   double thickness;
   double time;

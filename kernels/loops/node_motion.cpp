@@ -27,7 +27,7 @@ struct NodeMotionLoop {
       f.element = gather(begin, end);
     else
       gather_all(begin, end, flags, f);
-    const Vec<D> weight = in.gravity * m;
+    const Vec<D> weight = in.gravity * (in.added_mass.extent(0) > 0 ? m - in.added_mass(n) : m);
     Vec<D> total = f.element + weight;
     for (int c = 0; c < kExtraClasses; ++c) total += f.extra[c];
 

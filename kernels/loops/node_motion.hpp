@@ -23,10 +23,11 @@ struct NodeMotionIn {
   Kokkos::View<const std::uint32_t*, Memory> flags;
   Kokkos::View<const double*, Memory> mass;
   ConstVectors<D> boundary_velocity;
-  Vec<D> gravity;                               ///< m/s2
-  Kokkos::View<const Index*, Memory> absorber;  ///< row of an element in `absorbing`, or none
-  ConstCornerMatrices<D> absorbing;             ///< kg/s, at the corners of such elements
-  std::uint32_t absorb_bit = 0;                 ///< 0 where no boundary lets waves out
+  Kokkos::View<const double*, Memory> added_mass;  ///< kg without weight; empty: none
+  Vec<D> gravity;                                  ///< m/s2
+  Kokkos::View<const Index*, Memory> absorber;     ///< row of an element in `absorbing`, or none
+  ConstCornerMatrices<D> absorbing;                ///< kg/s, at the corners of such elements
+  std::uint32_t absorb_bit = 0;                    ///< 0 where no boundary lets waves out
   double resisting = 0;      ///< share of the net force that resists motion (local damping)
   double dt, kick;           ///< s
   std::uint32_t fixed_bits;  ///< mask of the prescribed components in `flags`

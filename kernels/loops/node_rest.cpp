@@ -11,7 +11,8 @@ struct NetForce {
   KOKKOS_FUNCTION
   Vec<D> operator()(Index n) const {
     const std::uint32_t flags = in.flags(n);
-    Vec<D> f = in.gravity * in.mass(n);
+    const double added = in.added_mass.extent(0) > 0 ? in.added_mass(n) : 0.0;
+    Vec<D> f = in.gravity * (in.mass(n) - added);
     for (Index k = in.corners(n, 0); k < in.corners(n, 1); ++k) {
       const auto at = static_cast<std::ptrdiff_t>(in.corner_list(k)) * D;
       for (int d = 0; d < D; ++d) f[d] += in.element_force.data()[at + d];

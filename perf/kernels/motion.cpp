@@ -1,6 +1,7 @@
 // The loops over nodes: forces gathered and nodes moved, the stable step.
 #include "harness/broken_block.hpp"
 #include "harness/report.hpp"
+#include "loops/node_rest.hpp"
 
 #include <cmath>
 
@@ -70,6 +71,63 @@ void motion(benchmark::State& state) {
   report(state, model.nodes(), 8 + 4 + 8 + 4 * 8.0 * D + 4 + 2 * 8.0 * D);
 }
 
+/// The same loop where every corner belongs to a boundary that lets waves out, at worst.
+template <int D>
+void absorbing_motion(benchmark::State& state) {
+  BrokenBlock<D> block(static_cast<double>(state.range(0)));
+  const Model<D>& model = block.simulation->model();
+  NodeMotionIn<D> in = motion_in(model);
+  const auto elements = static_cast<std::size_t>(model.elements());
+  const Array<Index> row("breccia::perf::absorber", elements);
+  const CornerMatrices<D> damping("breccia::perf::absorbing", 1);
+  for_each(
+      "breccia::perf::rows", model.elements(), KOKKOS_LAMBDA(Index e) { row(e) = 0; });
+  for_each(
+      "breccia::perf::damping", D + 1, KOKKOS_LAMBDA(Index a) {
+        for (int i = 0; i < D; ++i) damping(0, a, i) = 1e-9;
+      });
+  in.absorber = row;
+  in.absorbing = damping;
+  in.absorb_bit = node_flag::absorb;
+  const Array<std::uint32_t> flags("breccia::perf::flags", model.store.capacity(Entity::node));
+  Kokkos::deep_copy(flags, node_flag::absorb);
+  in.flags = flags;
+  const ChunkSums<kWorks> work("breccia::perf::work", chunks_of(model.nodes()));
+  const auto v = model.store.template get<NodeVelocity<D>>();
+  for_each(
+      "breccia::perf::start", model.nodes(), KOKKOS_LAMBDA(Index n) {
+        for (int d = 0; d < D; ++d) v(n, d) = 1;
+      });
+  const NodeMotionOut<D> out{model.store.template get<NodePosition<D>>(), v, {}, work};
+  node_motion(model.nodes(), in, out);
+  if (!(total_of(work)[7] < 0)) state.SkipWithError("the boundary took no energy");
+  for (auto _ : state) node_motion(model.nodes(), in, out);
+  // As above with one class, and row and matrix of each corner.
+  report(state, model.nodes(), 8 + 4 + 8 + 4 * 8.0 * D + 4 + 8.0 * D + 4 + 4.0 * D * (D + 1));
+}
+
+/// The energy that run.rest watches in every step; of unit velocities it is half the mass.
+template <int D>
+void kinetic(benchmark::State& state) {
+  BrokenBlock<D> block(static_cast<double>(state.range(0)));
+  const Model<D>& model = block.simulation->model();
+  const auto v = model.store.template get<NodeVelocity<D>>();
+  const auto mass = model.store.template get<NodeMass>();
+  const ChunkSums<1> rows("breccia::perf::rows", chunks_of(model.nodes()));
+  const auto energy = [&] { return kinetic_energy<D>(model.nodes(), mass, v, rows); };
+  for_each(
+      "breccia::perf::unit", model.nodes(), KOKKOS_LAMBDA(Index n) {
+        for (int d = 0; d < D; ++d) v(n, d) = d == 0 ? 1.0 : 0.0;
+      });
+  const double one = energy();
+  for_each(
+      "breccia::perf::heavier", model.nodes(), KOKKOS_LAMBDA(Index n) { mass(n) *= 4; });
+  if (!(one > 0) || energy() != 4 * one)
+    state.SkipWithError("the kinetic energy does not follow the mass");
+  for (auto _ : state) benchmark::DoNotOptimize(energy());
+  report(state, model.nodes(), 8 + 8.0 * D);
+}
+
 /// Four times the mass is to give twice the step, to the last bit.
 template <int D>
 void step_length(benchmark::State& state) {
@@ -92,6 +150,10 @@ void step_length(benchmark::State& state) {
 
 BENCHMARK(motion<2>)->Name("node_motion.plane")->Apply(one_size);
 BENCHMARK(motion<3>)->Name("node_motion.space")->Apply(one_size);
+BENCHMARK(absorbing_motion<2>)->Name("node_motion.absorbing.plane")->Apply(one_size);
+BENCHMARK(absorbing_motion<3>)->Name("node_motion.absorbing.space")->Apply(one_size);
+BENCHMARK(kinetic<2>)->Name("kinetic_energy.plane")->Apply(one_size);
+BENCHMARK(kinetic<3>)->Name("kinetic_energy.space")->Apply(one_size);
 BENCHMARK(step_length<2>)->Name("stable_step.tri3")->Apply(one_size);
 BENCHMARK(step_length<3>)->Name("stable_step.tet4")->Apply(one_size);
 

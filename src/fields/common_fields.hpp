@@ -34,6 +34,13 @@ struct NodeMass {
                                   "sum of the masses of its corners"};
 };
 
+/// What mass scaling has added to node_mass; gravity does not act on it.
+struct NodeAddedMass {
+  using View = Array<double>;
+  static constexpr FieldInfo info{"node_added_mass", Entity::node, "kg", Restart::yes,
+                                  "share of node_mass that mass scaling has added"};
+};
+
 struct NodeFamily {
   using View = Array<Index>;
   static constexpr FieldInfo info{"node_family", Entity::node, "1", Restart::yes,

@@ -27,6 +27,7 @@ void put_counts(JsonWriter& json, const Report& r) {
   json.member("min", r.time_step.min)
       .member("mean", r.time_step.mean)
       .member("max", r.time_step.max);
+  json.member("added_mass", r.time_step.added_mass);
   json.member("set_by", r.time_step.set_by).end_object();
   json.key("interfaces").begin_object();
   json.member("bonded", r.interfaces.bonded).member("inserted", r.interfaces.inserted);

@@ -15,7 +15,8 @@ struct Report {
 
   struct TimeStep {
     double min = kNone, mean = kNone, max = kNone;  ///< [s]
-    std::string set_by;  ///< element, interface, contact, ... with its place
+    double added_mass = 0;  ///< share of the whole that mass scaling has added
+    std::string set_by;     ///< element, interface, contact, ... with its place
   };
   struct Interfaces {
     std::int64_t bonded = 0, inserted = 0, released = 0;

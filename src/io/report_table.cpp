@@ -54,6 +54,8 @@ void print_run(const Report& r, std::ostream& out) {
   out << "  step        " << number_or_dash(r.time_step.min) << " s least, "
       << number_or_dash(r.time_step.mean) << " s mean"
       << (r.time_step.set_by.empty() ? "" : ", set by " + r.time_step.set_by) << "\n";
+  if (r.time_step.added_mass > 0)
+    out << form("  added mass  %.3g %%\n", 100 * r.time_step.added_mass);
   out << form("  mesh        %lld elements, %lld nodes\n", static_cast<long long>(r.elements),
               static_cast<long long>(r.nodes));
   const Report::Interfaces& i = r.interfaces;

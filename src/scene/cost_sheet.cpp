@@ -58,6 +58,7 @@ Report make_report(Simulation<D>& simulation, const Recorder<D>& recorder, const
   report.time_step.max = step.max;
   if (report.steps > 0) report.time_step.mean = report.time / static_cast<double>(report.steps);
   report.time_step.set_by = step.set_by;
+  report.time_step.added_mass = simulation.model().added_mass;
   const Counts counts = simulation.counts();
   report.interfaces = {counts.bonded, counts.inserted, counts.released};
   report.fragments = static_cast<std::int64_t>(recorder.last_fragments());

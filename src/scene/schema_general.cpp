@@ -38,6 +38,17 @@ void declare_run(Schema& schema) {
       .doc("A fixed time step, refused where it is above the stable one.")
       .example("50 ns");
   s.at_most_one_of({"step", "step_factor"});
+  auto scaling = schema.section("run.mass_scaling")
+                     .effect("motion")
+                     .doc("Makes the nodes of the smallest elements heavier, for a longer step.");
+  scaling.number("step", unit::time)
+      .above(0)
+      .required()
+      .doc("The step that is wanted.")
+      .example("100 ns");
+  scaling.flag("quasi_static")
+      .by_default(false)
+      .doc("true: slow loading, inertia does not matter; else at most 5 % mass is added.");
   s.choice("precision", {"double", "mixed"}).by_default("double").doc("Arithmetic of the loops.");
   s.integer("seed")
       .between(0, 2147483647)

@@ -73,6 +73,18 @@ void declare_boundaries(Schema& schema) {
       .doc("Motion that comes in through a non-reflecting boundary, as it would be far inside.")
       .example("[\"0.1 m/s\", 0]");
   s.flag("held").doc("true: the free faces there carry the traction of the initial stress.");
+  s.flag("on_new_faces")
+      .doc("true: the pressure also acts on faces that break open from where it acts.");
+  auto source = schema.section("boundary[].source")
+                    .doc("Where a pressure comes from: how it changes with the distance.");
+  source.vector("point", unit::length).required().doc("Its place.").example("[0, 0]");
+  source.number("speed", unit::velocity)
+      .above(0)
+      .doc("How fast its course spreads; everywhere at once if absent.")
+      .example("2000 m/s");
+  source.table("decay", unit::length, unit::none)
+      .doc("Rows [distance, factor], linear between the rows.")
+      .example("[[0, 1], [\"1 m\", 0.2]]");
   s.number("ramp", unit::time)
       .above(0)
       .doc("Time of a smooth rise from zero to the full value.")
@@ -143,9 +155,12 @@ void check_stress(const Settings& section, std::size_t dimension, Problems& prob
 }
 
 void check_kind(const Settings& boundary, Problems& problems) {
-  for (const char* key : {"symmetry", "non_reflecting", "held"})
+  for (const char* key : {"symmetry", "non_reflecting", "held", "on_new_faces"})
     if (boundary.has(key) && !boundary.flag(key))
       problems.add(boundary.error(key, "false says nothing", "write true, or leave it out"));
+  for (const char* key : {"source", "on_new_faces"})
+    if (boundary.has(key) && !boundary.has("pressure"))
+      problems.add(boundary.error(key, "is for a pressure"));
   if (boundary.has("input") && !boundary.has("non_reflecting"))
     problems.add(boundary.error("input", "comes in through a non-reflecting boundary only",
                                 "add non_reflecting = true, or prescribe a velocity"));

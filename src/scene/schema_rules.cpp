@@ -114,6 +114,12 @@ void check_run_rules(const Settings& scene, Problems& problems) {
     problems.add(run.error("precision", "\"mixed\" is not available in this release",
                            "leave it out: everything is computed in double"));
   }
+  if (run.has("mass_scaling") && (scene.has("fracture") || !scene.list("interface").empty()))
+    problems.add(run.at("mass_scaling")
+                     .error("",
+                            "nodes that split take their mass anew, so it cannot be scaled where "
+                            "faces may break",
+                            "leave it out, or take coarser elements"));
   const double duration = run.number("duration");
   if (run.has("step") && run.number("step") > duration) {
     problems.add(run.error("step", number_text(run.number("step")) +

@@ -64,7 +64,11 @@ Simulation<D>::Simulation(const Settings& scene, const std::filesystem::path& fo
 template <int D>
 void Simulation<D>::start() {
   for (const auto& module : modules_) module->bind(model_);
-  const StableStep first = stable(true);
+  StableStep first = stable(true);
+  if (scene_->at("run").has("mass_scaling")) {
+    motion_->scale_mass(model_, stiffness_, factors_);
+    first = stable(false);
+  }
   if (fixed_step_ > 0) {
     const double limit = first.dt / (first.by_springs ? factors_.springs : factors_.bulk);
     if (fixed_step_ > limit)
@@ -245,6 +249,7 @@ void Simulation<D>::archive(Archive& archive) {
   std::int64_t stale = model_.step_is_stale ? 1 : 0;
   archive.integer("model.step_is_stale", stale);
   model_.step_is_stale = stale != 0;
+  archive.number("model.added_mass", model_.added_mass);
   archive.number("ledger.kinetic_start", kinetic_start_);
   archive.number("ledger.stored_start", stored_start_);
   for (const auto& module : modules_) module->archive(archive);

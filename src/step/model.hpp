@@ -76,6 +76,7 @@ struct Model {
   bool step_is_stale = true;
   Stop stop;
   Rest rest;
+  double added_mass = 0;                  ///< share of the whole mass that mass scaling has added
   std::function<double()> stored_energy;  ///< of all modules now, J; not for every step
 
   Index nodes() const { return store.count(Entity::node); }

@@ -1,6 +1,7 @@
 """What acts on bodies, given wrongly: stress in the ground, rest, boundaries that absorb."""
 
 from cases import Case
+from scenes import EFFECTS
 
 CHECK = '[[check]]\nname      = "drift"'
 
@@ -95,4 +96,30 @@ KINDS = [
          says=["gravity.ramp: 0 s is out of range; allowed: above 0 s"]),
 ]
 
-CASES = STRESS + REST + KINDS
+SPREADING = [
+    Case("pressure on what cannot break",
+         edit=add(SIDE + 'pressure = "1 MPa"\non_new_faces = true\n'), at="on_new",
+         says=["nothing can break in this scene", "[fracture.NAME]"]),
+    Case("source of a traction",
+         edit=add(SIDE + "traction = [0, 1]\nsource = { point = [0, 0] }\n"), at="source",
+         says=["boundary.2.source: is for a pressure"]),
+    Case("source nowhere", edit=add(SIDE + "pressure = 1\nsource = { speed = 1 }\n"),
+         says=["boundary.2.source.point: is missing"]),
+    Case("source that never arrives",
+         edit=add(SIDE + "pressure = 1\nsource = { point = [0, 0], speed = 0 }\n"), at="speed",
+         says=["0 m/s is out of range; allowed: above 0 m/s"]),
+    Case("decay that goes back",
+         edit=add(SIDE + "pressure = 1\nsource = { point = [0, 0], decay = [[1, 1], [0, 1]] }\n"),
+         at="decay", says=["boundary.2.source.decay"]),
+]
+
+MASS = [
+    Case("mass scaling to no step", edit=run("mass_scaling = {}"),
+         says=["run.mass_scaling.step: is missing"]),
+    Case("mass scaling of a dynamic run", edit=run('mass_scaling = { step = "3 us" }'), at="3 us",
+         says=["more mass; a dynamic run may take 5 %", "take at most", "quasi_static = true"]),
+    Case("mass scaling of what breaks", base=EFFECTS, edit=run('mass_scaling = { step = "1 ns" }'),
+         at="1 ns", says=["run.mass_scaling", "nodes that split take their mass anew"]),
+]
+
+CASES = STRESS + REST + KINDS + SPREADING + MASS

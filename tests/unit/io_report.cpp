@@ -25,7 +25,7 @@ Report sample() {
   report.precision = "double";
   report.elements = 20000;
   report.element_steps_per_second = 35.2e6;
-  report.time_step = {1e-9, 1.5e-9, 2e-9, "element 12"};
+  report.time_step = {1e-9, 1.5e-9, 2e-9, 0.01, "element 12"};
   report.interfaces = {29000, 40, 12};
   report.fragments = 2;
   report.ledger = {{"KE", 1.5}, {"IE_elastic", 3}, {"CT_stored", 0}};

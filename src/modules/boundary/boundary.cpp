@@ -174,12 +174,19 @@ void Boundary<D>::resume(Model<D>& model) {
   load_.law = motion_.law;
   load_.table = motion_.table;
   load_.thickness = model.thickness;
+  if (model.store.template has<FaceStatus>()) spread(model);
   make_faces();
   if (!absorbing_.empty()) make_absorbers(model);
 }
 
 template <int D>
 void Boundary<D>::enlist(Model<D>& model, Plan& plan) {
+  if (!spreading_.empty())
+    plan.add(Stage::search, "boundary::spread", key(), [this, &model](const Clock&) {
+      if (!spread(model)) return;
+      make_faces();
+      mark_loaded(model);
+    });
   if (loads_)
     plan.add(Stage::node_force, "boundary::surface_load", key(),
              [this, &model](const Clock& clock) {

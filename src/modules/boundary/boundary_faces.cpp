@@ -77,9 +77,13 @@ void Boundary<D>::load(const Model<D>& model, Index law, const Region& region,
       const Vec<D> force = initial_force(model, face);
       if (norm(force) > 0) face_loads_[face].push_back({constant_, force});
     }
-    if (!held && (!absorbs || section.has("input")))
-      face_loads_[face].push_back({law, dead_force(model, section, face)});
+    if (!held && (!absorbs || section.has("input"))) {
+      FaceLoad load = pressure_on(model, law, face);
+      load.dead = dead_force(model, section, face);
+      face_loads_[face].push_back(load);
+    }
   }
+  if (section.has("on_new_faces")) start_spreading(model, law, region, section);
   if (none)
     throw section.error(
         "", "a traction or pressure needs free faces and none lies there",
@@ -123,6 +127,7 @@ template <int D>
 void Boundary<D>::make_faces() {
   std::vector<Index> element, face, law;
   std::vector<Vec<D>> dead;
+  std::vector<std::array<double, 2>> reaches;
   std::vector<std::array<Index, 2>> range;
   for (const auto& [where, loads] : face_loads_) {
     if (element.empty() || element.back() != where.element) {
@@ -133,12 +138,19 @@ void Boundary<D>::make_faces() {
       face.push_back(where.face);
       law.push_back(load.law);
       dead.push_back(load.dead);
+      reaches.push_back({load.share, load.delay});
     }
     range.back()[1] = static_cast<Index>(face.size());
   }
   load_.element = to_device("breccia::boundary::element", element);
   load_.face = to_device("breccia::boundary::face", face);
   load_.face_law = to_device("breccia::boundary::face_law", law);
+  const Vectors<2> reach("breccia::boundary::reach", reaches.size());
+  const auto host_reach = Kokkos::create_mirror_view(reach);
+  for (std::size_t i = 0; i < reaches.size(); ++i)
+    for (int j = 0; j < 2; ++j) host_reach(i, j) = reaches[i][j];
+  Kokkos::deep_copy(reach, host_reach);
+  load_.reach = reach;
   const Vectors<D> forces("breccia::boundary::dead", dead.size());
   const auto host_forces = Kokkos::create_mirror_view(forces);
   for (std::size_t i = 0; i < dead.size(); ++i)

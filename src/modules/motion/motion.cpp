@@ -28,6 +28,7 @@ void Motion<D>::declare(Model<D>& model) {
   s.add<ElementBody>(key());
   s.add<ElementForce<D>>(key());
   s.add<ElementRate>(key());
+  if (model.scene->at("run").has("mass_scaling")) s.add<NodeAddedMass>(key());
 }
 
 namespace {
@@ -163,6 +164,7 @@ void Motion<D>::move(Model<D>& model, const Clock& clock) {
   in.mass = s.get<NodeMass>();
   in.boundary_velocity = s.get_or_empty<BoundaryVelocity<D>>();
   in.gravity = model.gravity;
+  in.added_mass = s.get_or_empty<NodeAddedMass>();
   in.resisting = model.rest.share;
   if (s.has<ElementAbsorber>()) {
     in.absorber = s.get<ElementAbsorber>();

@@ -31,6 +31,11 @@ class Motion final : public Module<D> {
   StableStep stable(const Model<D>& model, const Array<double>& stiffness, Factors factors,
                     bool renew) const;
 
+  /// Adds mass to the nodes whose stable step is below the one that run.mass_scaling wants
+  /// (ALGORITHMS ); after `stable` has looked at the shapes. Throws Error where a dynamic run
+  /// would need more than a twentieth of the whole.
+  void scale_mass(Model<D>& model, const Array<double>& stiffness, Factors factors);
+
   /// Kinetic energies and works up to now. `before` the kick of a step, `after` it; only both
   /// together give the values at t^n.
   void book_before(const Model<D>& model, Ledger& ledger);

@@ -112,6 +112,7 @@ void RestModule<D>::look(Model<D>& model, const Clock& clock) {
   in.flags = s.get<NodeFlags>();
   in.mass = s.get<NodeMass>();
   in.gravity = model.gravity;
+  in.added_mass = s.get_or_empty<NodeAddedMass>();
   in.fixed_bits = node_flag::fixed_any;
   const NodeBalance balance = node_balance(model.nodes(), s.count(Entity::corner), in, rows_);
   rest.unbalance = share(balance.largest, balance.corner);
