@@ -13,7 +13,8 @@ SOURCE = {
     "mesh": {"base", "core", "fields"},
     "comm": BELOW_S3,
     "io": BELOW_S3,
-    "step": BELOW_S3 | {"point"},  # materials hold the parameters of laws
+    # Materials hold the parameters of laws; stress_view.hpp fills a view of a loop.
+    "step": BELOW_S3 | {"point", "loops"},
 }
 MODULE = BELOW_S3 | {"step", "point", "loops"}
 SCENE = MODULE | {"comm", "io", "modules"}

@@ -187,6 +187,41 @@ Sym<N, R> left_cauchy_green(const Mat<N, R>& f) {
   return b;
 }
 
+/// F^T F.
+template <int N, class R>
+KOKKOS_INLINE_FUNCTION
+Sym<N, R> right_cauchy_green(const Mat<N, R>& f) {
+  Sym<N, R> c;
+  for (int i = 0; i < N; ++i)
+    for (int j = i; j < N; ++j) {
+      R t = f(0, i) * f(0, j);
+      for (int k = 1; k < N; ++k) t = t + f(k, i) * f(k, j);
+      c(i, j) = t;
+    }
+  return c;
+}
+
+/// F S F^T of a symmetric S.
+template <int N, class R>
+KOKKOS_INLINE_FUNCTION
+Sym<N, R> congruent(const Mat<N, R>& f, const Sym<N, R>& s) {
+  Mat<N, R> fs;
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j < N; ++j) {
+      R t = f(i, 0) * s(0, j);
+      for (int k = 1; k < N; ++k) t = t + f(i, k) * s(k, j);
+      fs(i, j) = t;
+    }
+  Sym<N, R> r;
+  for (int i = 0; i < N; ++i)
+    for (int j = i; j < N; ++j) {
+      R t = fs(i, 0) * f(j, 0);
+      for (int k = 1; k < N; ++k) t = t + fs(i, k) * f(j, k);
+      r(i, j) = t;
+    }
+  return r;
+}
+
 /// (a + a^T) / 2.
 template <int N, class R>
 KOKKOS_INLINE_FUNCTION

@@ -17,6 +17,15 @@ R atanh_over(const R& y) {
   for (int k = kTerms - 2; k >= 0; --k) s = s * y + R(1.0 / (2 * k + 1));
   return s;
 }
+
+/// Its derivative, sum_k k y^(k-1) / (2k + 1).
+template <class R>
+KOKKOS_FORCEINLINE_FUNCTION
+R atanh_slope(const R& y) {
+  R s = R(double(kTerms) / (2 * kTerms + 1));
+  for (int k = kTerms - 1; k >= 1; --k) s = s * y + R(double(k) / (2 * k + 1));
+  return s;
+}
 }  // namespace series
 
 /// atanh(q) / q as a function of y = q^2, 0 <= y < 1: a series near zero, the library function
@@ -32,6 +41,20 @@ R atanh_ratio(const R& y) {
     });
   }
   return series::atanh_over(y);
+}
+
+/// Derivative of atanh_ratio: (1 / (1 - y) - atanh_ratio(y)) / (2 y), as a series near zero.
+template <class R>
+KOKKOS_FORCEINLINE_FUNCTION
+R atanh_ratio_slope(const R& y) {
+  if (any(!(y <= R(series::kReach)))) {
+    return map_lanes(y, [](double yi) {
+      if (!(yi > series::kReach)) return series::atanh_slope(yi);
+      const double q = Kokkos::sqrt(yi);
+      return 0.5 * (1 / (1 - yi) - Kokkos::atanh(q) / q) / yi;
+    });
+  }
+  return series::atanh_slope(y);
 }
 
 /// ln(j), quick for j near one (0.75 < j < 1.33), exact to round-off everywhere.

@@ -48,6 +48,11 @@ template <int D>
 using CornerMatrices = Kokkos::View<double * [D + 1][D * (D + 1) / 2], Rows, Memory>;
 template <int D>
 using ConstCornerMatrices = Kokkos::View<const double * [D + 1][D * (D + 1) / 2], Rows, Memory>;
+/// One symmetric tensor of space per element, streamed, in the order of point/full_sym.hpp.
+template <int D>
+using FullTensors = Kokkos::View<double * [D == 2 ? 4 : 6], Columns, Memory>;
+template <int D>
+using ConstFullTensors = Kokkos::View<const double * [D == 2 ? 4 : 6], Columns, Memory>;
 
 /// Pairs of numbers (begin, end).
 using Ranges = Kokkos::View<Index* [2], Rows, Memory>;

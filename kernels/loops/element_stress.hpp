@@ -15,6 +15,9 @@ struct ElementStress {
   Kokkos::View<const Index*, Memory> material;
   ConstVectors<2> lame;  ///< lambda, mu of each material, Pa
   double thickness = 1;
+  bool flat = false;           ///< plane stress
+  ConstFullTensors<D> stored;  ///< Cauchy stress as the element loop left it; empty: computed anew
+  Kokkos::View<const double*, Memory> share;  ///< of its stress that an element carries, or empty
 
   KOKKOS_FUNCTION
   HenckyElastic law(Index e) const { return {lame(material(e), 0), lame(material(e), 1)}; }
@@ -31,13 +34,20 @@ struct ElementStress {
     return hencky_strain(left_cauchy_green(f), jacobian);
   }
 
-  /// Elastic Cauchy stress, Pa.
+  /// Cauchy stress without its viscous part, Pa.
   KOKKOS_FUNCTION
-  Sym<D> cauchy(Index e) const {
+  FullSym<D> full_cauchy(Index e) const {
+    FullSym<D> sigma;
+    if (stored.extent(0) > 0) {
+      for (int i = 0; i < FullSym<D>::size; ++i) sigma[i] = stored(e, i);
+      return sigma;
+    }
     double jacobian;
-    const Sym<D> eps = strain(e, jacobian);
-    return law(e).kirchhoff(eps) * (1 / jacobian);
+    const FullSym<D> eps{strain(e, jacobian), 0};
+    return isotropic(law(e), eps, flat) * (1 / jacobian);
   }
+  KOKKOS_FUNCTION
+  Sym<D> cauchy(Index e) const { return full_cauchy(e).in; }
 
   /// Reference volume, m3 (area times thickness in the plane).
   KOKKOS_FUNCTION
@@ -48,25 +58,35 @@ struct ElementStress {
     return thickness / (kFactorial<D> * determinant(inverse_edges));
   }
 
-  /// Strain energy, J.
+  /// Strain energy of a group of elements that share their dilation (one element: of itself), J.
   KOKKOS_FUNCTION
-  double energy(Index e) const {
-    double jacobian;
-    const Sym<D> eps = strain(e, jacobian);
-    return law(e).energy(eps) * volume(e);
+  double energy(Index first, int group) const {
+    double now = 0, original = 0, sum = 0, jacobian = 1;
+    for (Index e = first; e < first + group; ++e) {
+      strain(e, jacobian);
+      original += volume(e);
+      now += volume(e) * jacobian;
+    }
+    for (Index e = first; e < first + group; ++e) {
+      FullSym<D> eps{strain(e, jacobian), 0};
+      if (group > 1 && !flat) eps.add_identity(Kokkos::log(now / (original * jacobian)) / 3);
+      const double carried = share.extent(0) > 0 ? share(e) : 1.0;
+      sum += 0.5 * contract(isotropic(law(e), eps, flat), eps) * volume(e) * carried;
+    }
+    return sum;
   }
 };
 
-/// Strain energy of elements [0, n), J; added up in a fixed order.
+/// Strain energy of hyperelastic elements [begin, end) in groups, J; added up in a fixed order.
 template <int D>
-double strain_energy(const ElementStress<D>& stress, Index n);
+double strain_energy(const ElementStress<D>& stress, Index begin, Index end, int group);
 
-/// Cauchy stress of elements [0, n): (element, component of Sym<D>), Pa.
+/// Cauchy stress of elements [0, n): (element, component of FullSym<D>), Pa.
 template <int D>
 Kokkos::View<double**, Rows, Memory> cauchy_stress(const ElementStress<D>& stress, Index n);
 
-extern template double strain_energy<2>(const ElementStress<2>&, Index);
-extern template double strain_energy<3>(const ElementStress<3>&, Index);
+extern template double strain_energy<2>(const ElementStress<2>&, Index, Index, int);
+extern template double strain_energy<3>(const ElementStress<3>&, Index, Index, int);
 extern template Kokkos::View<double**, Rows, Memory> cauchy_stress<2>(const ElementStress<2>&,
                                                                       Index);
 extern template Kokkos::View<double**, Rows, Memory> cauchy_stress<3>(const ElementStress<3>&,

@@ -31,6 +31,20 @@ double strain_rate(const StableStepIn<D>& in, Index e, const Mat<D>& c, double d
   return Kokkos::sqrt(contract(d, d)) / Kokkos::abs(det);
 }
 
+/// Kirchhoff stress as the element loop left it or, where it leaves none, of Hencky's law.
+template <int D>
+KOKKOS_FUNCTION
+Sym<D> kirchhoff_stress(const StableStepIn<D>& in, Index e, const Mat<D>& f, double jacobian) {
+  if (in.stress.extent(0) > 0) {
+    Sym<D> tau;
+    for (int i = 0; i < Sym<D>::size; ++i) tau.s[i] = in.stress(e, i) * jacobian;
+    return tau;
+  }
+  const Index material = in.material(e);
+  const HenckyElastic law{in.lame(material, 0), in.lame(material, 1)};
+  return law.kirchhoff(hencky_strain(left_cauchy_green(f), jacobian));
+}
+
 /// omega_e^2 times the mass at one of its corners, N/m; its rate of deformation in `deforming`.
 template <int D>
 KOKKOS_FUNCTION
@@ -56,11 +70,12 @@ double element_rate(const StableStepIn<D>& in, Index e, double& deforming) {
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j) reference(i, j) = in.reference(e, i, j);
   const Index material = in.material(e);
-  const HenckyElastic law{in.lame(material, 0), in.lame(material, 1)};
   const double small = determinant(reference);
-  const Sym<D> tau = law.kirchhoff(hencky_strain(left_cauchy_green(g * reference), det * small));
+  const Sym<D> tau = kirchhoff_stress(in, e, g * reference, det * small);
   const double pressed = -least_principal(tau);
-  const double modulus = law.lambda + 2 * law.mu + (pressed > 0 ? pressed : 0.0);
+  const double now = in.modulus.extent(0) > 0 ? in.modulus(e) : 0.0;
+  const double constant = in.lame(material, 0) + 2 * in.lame(material, 1);
+  const double modulus = (now > 0 ? now : constant) + (pressed > 0 ? pressed : 0.0);
   const double xi = in.damping(material);
   const double slow = Kokkos::sqrt(1 + xi * xi) - xi;
   // The mass of a corner is density times the reference volume over its number.

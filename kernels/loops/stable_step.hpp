@@ -25,6 +25,8 @@ struct StableStepIn {
   Kokkos::View<const Index*, Memory> corner_list;
   Kokkos::View<const double*, Memory> mass;
   Kokkos::View<const double*, Memory> stiffness;  ///< per node, N/m; empty: no springs
+  ConstFullTensors<D> stress;                     ///< Cauchy, Pa; empty: from the shapes
+  Kokkos::View<const double*, Memory> modulus;    ///< P-wave modulus now, Pa; 0 or empty: by lame
   double thickness;
   double factor_bulk, factor_springs;  ///< shares of the bound that are used
   Array<double> rate;                  ///< one per element, N/m

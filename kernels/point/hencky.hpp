@@ -1,6 +1,8 @@
 #pragma once
 #include "base/mat.hpp"
 #include "base/series.hpp"
+#include "point/full_sym.hpp"
+#include "point/principal.hpp"
 
 namespace breccia {
 
@@ -34,7 +36,22 @@ namespace hencky {
 inline constexpr int kTerms = 14;
 inline constexpr double kReach = 0.08;
 
-/// ln V = (ln B) / 2 by eigenvalues (cyclic Jacobi), for stretches beyond the series.
+/// (a + 1)^-1.
+template <class R>
+KOKKOS_FORCEINLINE_FUNCTION
+Sym<3, R> inverse_of_one_plus(const Sym<3, R>& b) {
+  Mat<3, R> a;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) a(i, j) = i == j ? b(i, j) + R(1) : b(i, j);
+  const Mat<3, R> c = cofactor(a);
+  const R over = R(1) / (a(0, 0) * c(0, 0) + a(0, 1) * c(0, 1) + a(0, 2) * c(0, 2));
+  Sym<3, R> x;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) x(i, j) = over * c(i, j);
+  return x;
+}
+
+/// ln V = (ln B) / 2 by eigenvalues, for stretches beyond the series.
 KOKKOS_FUNCTION
 Sym<3> by_eigenvalues(const Sym<3>& b);
 
@@ -67,14 +84,8 @@ Sym<3, R> series_factor(const Sym<3, R>& y) {
 template <class R>
 KOKKOS_FUNCTION
 Sym<3, R> hencky_strain(const Sym<3, R>& b, const R& /*jacobian*/) {
-  Mat<3, R> a;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) a(i, j) = i == j ? b(i, j) + R(1) : b(i, j);
-  const Mat<3, R> c = cofactor(a);
-  const R two_over = R(2) / (a(0, 0) * c(0, 0) + a(0, 1) * c(0, 1) + a(0, 2) * c(0, 2));
-  Sym<3, R> x;
-  for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j) x(i, j) = (i == j ? R(1) : R(0)) - two_over * c(i, j);
+  Sym<3, R> x = hencky::inverse_of_one_plus(b) * R(-2);
+  for (int i = 0; i < 3; ++i) x.s[i] = x.s[i] + R(1);
   const Sym<3, R> y = commuting_product(x, x);
   Sym<3, R> eps = commuting_product(x, hencky::series_factor(y));
   if (any(!(trace(y) <= R(hencky::kReach)))) {
@@ -113,41 +124,23 @@ struct HenckyElastic {
   }
 };
 
+/// eq:solid-3 for a tensor of space. `flat`: plane stress, with lambda of plane stress.
+template <int D, class R>
+KOKKOS_FORCEINLINE_FUNCTION
+FullSym<D, R> isotropic(const HenckyElastic& law, const FullSym<D, R>& eps, bool flat) {
+  const R p = R(law.lambda) * (flat ? trace(eps.in) : trace(eps));
+  FullSym<D, R> tau = eps * R(2 * law.mu);
+  tau.add_identity(p);
+  if (flat) tau.zz = R(0);
+  return tau;
+}
+
 namespace hencky {
 KOKKOS_INLINE_FUNCTION
 Sym<3> by_eigenvalues(const Sym<3>& b) {
-  double a[3][3], q[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) a[i][j] = b(i, j);
-  for (int sweep = 0; sweep < 12; ++sweep)
-    for (int p = 0; p < 2; ++p)
-      for (int r = p + 1; r < 3; ++r) {
-        if (a[p][r] == 0) continue;
-        const double theta = (a[r][r] - a[p][p]) / (2 * a[p][r]);
-        const double t =
-            (theta >= 0 ? 1.0 : -1.0) / (Kokkos::abs(theta) + Kokkos::sqrt(theta * theta + 1));
-        const double c = 1 / Kokkos::sqrt(t * t + 1), s = t * c;
-        for (int k = 0; k < 3; ++k) {
-          const double kp = a[k][p], kr = a[k][r];
-          a[k][p] = c * kp - s * kr;
-          a[k][r] = s * kp + c * kr;
-        }
-        for (int k = 0; k < 3; ++k) {
-          const double pk = a[p][k], rk = a[r][k];
-          a[p][k] = c * pk - s * rk;
-          a[r][k] = s * pk + c * rk;
-          const double qp = q[k][p], qr = q[k][r];
-          q[k][p] = c * qp - s * qr;
-          q[k][r] = s * qp + c * qr;
-        }
-      }
-  Sym<3> eps = Sym<3>::zero();
-  for (int k = 0; k < 3; ++k) {
-    const double l = 0.5 * Kokkos::log(a[k][k]);
-    for (int i = 0; i < 3; ++i)
-      for (int j = i; j < 3; ++j) eps(i, j) += l * q[i][k] * q[j][k];
-  }
-  return eps;
+  Principal<3> p = principal_of(b);
+  for (double& value : p.value) value = 0.5 * Kokkos::log(value);
+  return p.with(p.value);
 }
 }  // namespace hencky
 

@@ -6,6 +6,7 @@
 #include "loops/interface_books.hpp"
 #include "loops/interface_force.hpp"
 #include "modules/fracture/insertion.hpp"
+#include "step/stress_view.hpp"
 
 #include <cmath>
 
@@ -112,15 +113,12 @@ void onset_check(benchmark::State& state) {
   Model<D>& model = scene.simulation->model();
   const Store& s = model.store;
   const InterfaceLaws laws = read_interface_laws(*model.scene, model.materials);
-  const ElementStress<D> stress{s.get<ElementNodes<D>>(),     s.get<NodePosition<D>>(),
-                                s.get<ElementReference<D>>(), s.get<ElementMaterial>(),
-                                s.get<MaterialLame>(),        model.thickness};
   const Index n = model.elements(), room = n * (D + 1);
   const Array<Index> hot("breccia::perf::hot", n), found("breccia::perf::found", room);
   const Array<std::uint8_t> mark("breccia::perf::mark", room);
   const FaceOnsetIn<D> in{face_map<D>(s),
                           s.get<FaceStatus>(),
-                          stress,
+                          stress_of(model),
                           s.get<ElementHot>(),
                           to_device("breccia::perf::law_of", laws.of_materials),
                           laws.materials,

@@ -108,6 +108,13 @@ struct ElementReference {
                                   "inverse of the reference edge matrix"};
 };
 
+/// Share of its stress that an element still carries: 1, falling to 0 while it is excavated.
+struct ElementShare {
+  using View = Array<double>;
+  static constexpr FieldInfo info{"element_share", Entity::element, "1", Restart::yes,
+                                  "share of its stress that the element carries"};
+};
+
 struct ElementBody {
   using View = Array<Index>;
   static constexpr FieldInfo info{"element_body", Entity::element, "1", Restart::no,

@@ -8,6 +8,7 @@
 #include "mesh/validate.hpp"
 #include "scene/body_shapes.hpp"
 #include "scene/initial_stress.hpp"
+#include "scene/material_axes.hpp"
 
 #include <algorithm>
 
@@ -106,6 +107,7 @@ void build_model(const Settings& scene, const std::filesystem::path& folder, Mod
   model.topology = build_topology(model.mesh);
   model.blocks = find_blocks(model);
   model.initial_stress = initial_stress(scene, model);
+  model.axes = material_axes(scene, model);
   size_store(model);
 }
 

@@ -1,6 +1,8 @@
 // The keys of [material.NAME], and what must hold between them.
 #include "core/text.hpp"
+#include "scene/material_axes.hpp"
 #include "scene/schema_rules.hpp"
+#include "step/anisotropy.hpp"
 #include "step/material.hpp"
 #include "step/material_laws.hpp"
 
@@ -29,7 +31,8 @@ void declare_basis(Schema& schema) {
           "Shock viscosity, quadratic and linear coefficient; [1.5, 0.06] where the material has "
           "an equation of state, none where it has not.")
       .example("[1.5, 0.06]");
-  auto elastic = schema.section("material.*.elastic").required().doc("Isotropic elasticity.");
+  s.exactly_one_of({"elastic", "orthotropic", "transversely_isotropic", "stiffness"});
+  auto elastic = schema.section("material.*.elastic").doc("Isotropic elasticity.");
   elastic.number("young", unit::pressure)
       .above(0)
       .required()
@@ -77,6 +80,21 @@ MaterialBasis basis_of(const Settings& material) {
   return {material.number("density"), young / (3 * (1 - 2 * nu)), young / (2 * (1 + nu))};
 }
 
+/// Laws of yielding and of pressure know one bulk and one shear modulus.
+void check_anisotropic(const Settings& material, int dimension, Problems& problems) {
+  try {
+    read_anisotropy(material, dimension);
+  } catch (const Error& e) {
+    problems.add(e);
+  }
+  std::vector<std::string> isotropic{"eos"};
+  for (const PlasticKeys& keys : plastic_keys()) isotropic.emplace_back(keys.word);
+  for (const std::string& word : isotropic)
+    if (material.has(word))
+      problems.add(material.at(word).error("", "needs a material that is alike in all directions",
+                                           "give the material [elastic], or leave this out"));
+}
+
 void check_laws(const Settings& material, Problems& problems) {
   try {
     read_plastic(material, basis_of(material));
@@ -93,6 +111,7 @@ void check_laws(const Settings& material, Problems& problems) {
 
 /// A-1.7e: cracks belong to the interfaces, so the bulk must bear the tension that opens them.
 void check_tension(const Settings& face, const Settings& material, Problems& problems) {
+  if (!material.has("elastic")) return;  // anisotropic and elastic for ever
   const double wanted = face.number("tensile_strength");
   const auto borne = tension_of_bulk(read_plastic(material, basis_of(material)));
   if (borne && *borne < wanted) {
@@ -134,8 +153,10 @@ void check_tension_of_faces(const Settings& scene, Problems& problems) {
 
 void declare_material_keys(Schema& schema) {
   declare_basis(schema);
+  declare_anisotropy(schema);
   declare_plastic(schema);
   declare_eos(schema);
+  declare_axes(schema);
 }
 
 void check_material_rules(const Settings& scene, Problems& problems) {
@@ -144,6 +165,10 @@ void check_material_rules(const Settings& scene, Problems& problems) {
     if (material.has("bulk_viscosity") && material.vector("bulk_viscosity").size() != 2) {
       problems.add(material.error("bulk_viscosity", "wants two numbers, quadratic and linear",
                                   "for example: bulk_viscosity = [1.5, 0.06]"));
+      continue;
+    }
+    if (!material.has("elastic")) {
+      check_anisotropic(material, static_cast<int>(scene.at("run").integer("dimension")), problems);
       continue;
     }
     check_laws(material, problems);

@@ -1,6 +1,9 @@
 #include "step/material.hpp"
 
+#include "step/anisotropy.hpp"
 #include "step/material_laws.hpp"
+
+#include <algorithm>
 
 namespace breccia {
 
@@ -14,6 +17,21 @@ BulkViscosity read_viscosity(const Settings& material) {
   return {numbers.at(0), numbers.at(1)};
 }
 
+void read_elasticity(const Settings& scene, const Settings& section, Material& material) {
+  const auto dimension = static_cast<int>(scene.at("run").integer("dimension"));
+  material.stiffness = read_anisotropy(section, dimension);
+  if (!material.stiffness) {
+    material.young = section.number("elastic.young");
+    material.poisson = section.number("elastic.poisson");
+    return;
+  }
+  const double modulus = fastest_modulus(*material.stiffness, dimension);
+  const double shear = std::min(mean_shear(*material.stiffness), 0.45 * modulus);
+  const double lambda = modulus - 2 * shear;
+  material.young = shear * (3 * lambda + 2 * shear) / (lambda + shear);
+  material.poisson = lambda / (2 * (lambda + shear));
+}
+
 }  // namespace
 
 std::vector<Material> read_materials(const Settings& scene) {
@@ -22,8 +40,7 @@ std::vector<Material> read_materials(const Settings& scene) {
     Material material;
     material.name = section.name();
     material.density = section.number("density");
-    material.young = section.number("elastic.young");
-    material.poisson = section.number("elastic.poisson");
+    read_elasticity(scene, section, material);
     material.damping = section.number("damping");
     const MaterialBasis basis{material.density, material.bulk(), material.mu()};
     material.plastic = read_plastic(section, basis);

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/settings.hpp"
+#include "point/anisotropic.hpp"
 #include "point/eos.hpp"
 #include "point/plastic_laws.hpp"
 
@@ -22,6 +23,9 @@ struct Material {
   double young = 0;    ///< Pa
   double poisson = 0;
   double damping = 0;  ///< fraction of critical at the highest mode of each element (A-1.6)
+  /// Elasticity along material axes; then `young` and `poisson` are those of an isotropic material
+  /// with the same mean shear modulus and fastest wave.
+  std::optional<Anisotropic> stiffness;
   PlasticLaw plastic;  ///< NoYield where the scene gives none
   std::optional<Eos> eos;
   BulkViscosity viscosity;

@@ -67,6 +67,8 @@ struct Model {
   Vec<D> gravity = Vec<D>::zero();  ///< m/s2
   /// Cauchy stress of each element before anything moves, Pa; empty: none anywhere.
   std::vector<Sym<3>> initial_stress;
+  /// Material axes of each element as columns; empty: those of the coordinates.
+  std::vector<Mat<D>> axes;
   Store store;
 
   // Events that other modules answer to; they count up.

@@ -2,6 +2,7 @@
 #include "base/simplex.hpp"
 #include "harness/simulation.hpp"
 #include "loops/element_stress.hpp"
+#include "step/stress_view.hpp"
 
 #include <fmt/format.h>
 
@@ -22,8 +23,11 @@ struct BlockScene {
   std::string cells = "[4, 4]";  ///< of the structured grid
   std::string pattern = {};      ///< cross and kuhn if empty
   double jitter = 0;
-  std::string file = {};  ///< mesh file instead of the grid
+  std::string element = {};  ///< tri3 and tet4 if empty
+  std::string file = {};     ///< mesh file instead of the grid
   double density = 1000, young = 1e9, poisson = 0.3, damping = 0;
+  std::string material = {};  ///< further keys of the material, or others than `elastic`
+  bool elastic = true;        ///< false: `material` has the elastic constants
   std::string plane = "strain";
   std::string run = "duration = 1";  ///< further keys of [run]
   std::string body = {};             ///< further keys of the body
@@ -35,18 +39,21 @@ struct BlockScene {
       const std::string origin = dimension == 2 ? "[0, 0]" : "[0, 0, 0]";
       shape = fmt::format("shape = {{ {} = {{ corner = {}, size = {} }} }}",
                           dimension == 2 ? "rectangle" : "box", origin, size);
-      mesh = fmt::format("mesh = {{ generator = \"structured\", cells = {}, jitter = {}{} }}",
-                         cells, jitter, pattern.empty() ? "" : ", pattern = \"" + pattern + "\"");
+      mesh = fmt::format("mesh = {{ generator = \"structured\", cells = {}, jitter = {}{}{} }}",
+                         cells, jitter, pattern.empty() ? "" : ", pattern = \"" + pattern + "\"",
+                         element.empty() ? "" : ", element = \"" + element + "\"");
     } else {
       shape = fmt::format("shape = {{ file = \"{}\" }}", file);
     }
     return fmt::format(
         "[run]\ndimension = {}\n{}{}\n"
         "[[body]]\nname = \"b\"\nmaterial = \"m\"\n{}\n{}\n{}\n"
-        "[material.m]\ndensity = {:.17g}\ndamping = {:.17g}\n"
-        "elastic = {{ young = {:.17g}, poisson = {:.17g} }}\n{}\n",
+        "[material.m]\ndensity = {:.17g}\ndamping = {:.17g}\n{}\n{}\n{}\n",
         dimension, dimension == 2 ? "plane = \"" + plane + "\"\n" : "", run, body, shape, mesh,
-        density, damping, young, poisson, more);
+        density, damping,
+        elastic ? fmt::format("elastic = {{ young = {:.17g}, poisson = {:.17g} }}", young, poisson)
+                : "",
+        material, more);
   }
 };
 
@@ -101,12 +108,8 @@ Sym<D> stress_of(const HenckyElastic& law, const Mat<D>& f) {
 /// Cauchy stress of every element now.
 template <int D>
 std::vector<Sym<D>> element_stresses(SceneWorld<D>& world) {
-  const Store& s = world.store();
-  const ElementStress<D> stress{s.get<ElementNodes<D>>(),     s.get<NodePosition<D>>(),
-                                s.get<ElementReference<D>>(), s.get<ElementMaterial>(),
-                                s.get<MaterialLame>(),        world.model().thickness};
   const auto host = Kokkos::create_mirror_view_and_copy(
-      Kokkos::HostSpace{}, cauchy_stress(stress, world.model().elements()));
+      Kokkos::HostSpace{}, cauchy_stress(stress_of(world.model()), world.model().elements()));
   std::vector<Sym<D>> all(host.extent(0));
   for (std::size_t e = 0; e < all.size(); ++e)
     for (int c = 0; c < Sym<D>::size; ++c) all[e].s[c] = host(e, c);

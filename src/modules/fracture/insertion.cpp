@@ -9,6 +9,7 @@
 #include "loops/star_balance.hpp"
 #include "modules/fracture/fracture_fields.hpp"
 #include "modules/fracture/interface_lists.hpp"
+#include "step/stress_view.hpp"
 
 #include <fmt/format.h>
 
@@ -37,13 +38,6 @@ void Insertion<D>::prepare(const Model<D>& model, const InterfaceLaws& laws) {
   strained_ = Array<std::uint8_t>("breccia::fracture::strained", families);
   hot_ =
       allocate<Array<Index>>("breccia::fracture::hot", static_cast<std::size_t>(model.elements()));
-}
-
-template <int D>
-ElementStress<D> Insertion<D>::stress_of(const Model<D>& model) const {
-  const Store& s = model.store;
-  return {s.get<ElementNodes<D>>(), s.get<NodePosition<D>>(), s.get<ElementReference<D>>(),
-          s.get<ElementMaterial>(), s.get<MaterialLame>(),    model.thickness};
 }
 
 template <int D>

@@ -38,7 +38,6 @@ class Insertion {
   void balance(const Model<D>& model, const Stars<D>& stars) const;
   void grow_nodes(Model<D>& model, Index needed) const;
   StarMap<D> star_map(const Store& store) const;
-  ElementStress<D> stress_of(const Model<D>& model) const;
 
   InterfaceLaws table_;
   Array<InterfaceLaw> laws_;

@@ -1,6 +1,7 @@
 #include "modules/motion/motion.hpp"
 
 #include "base/mat.hpp"
+#include "fields/solid_fields.hpp"
 #include "modules/motion/motion_fields.hpp"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ void Motion<D>::declare(Model<D>& model) {
 
 namespace {
 
-/// Inverse edge matrices and volumes of the reference mesh.
+/// Inverse edge matrices, with edges along material axes, and volumes of the reference mesh.
 template <int D>
 void fill_reference(const Model<D>& model, std::vector<double>& volume) {
   const auto& view = model.store.template get<ElementReference<D>>();
@@ -47,7 +48,8 @@ void fill_reference(const Model<D>& model, std::vector<double>& volume) {
     for (int j = 0; j < D; ++j)
       for (int i = 0; i < D; ++i)
         g(i, j) = model.mesh.point[nodes[j + 1]][i] - model.mesh.point[nodes[0]][i];
-    const Mat<D> inverted = inverse(g);
+    Mat<D> inverted = inverse(g);
+    if (!model.axes.empty()) inverted = inverted * model.axes[from];
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j) host(e, i, j) = inverted(i, j);
     if (e < volume.size()) volume[e] = determinant(g) * model.thickness / (D == 2 ? 2.0 : 6.0);
@@ -193,6 +195,8 @@ StableStep Motion<D>::stable(const Model<D>& model, const Array<double>& stiffne
   in.reference = s.get<ElementReference<D>>();
   in.material = s.get<ElementMaterial>();
   in.lame = s.get<MaterialLame>();
+  in.stress = s.get_or_empty<ElementCauchy<D>>();
+  in.modulus = s.get_or_empty<ElementModulus>();
   in.damping = damping_;
   in.corners = s.get<NodeCorners>();
   in.corner_list = s.get<CornerList>();

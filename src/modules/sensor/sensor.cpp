@@ -4,6 +4,7 @@
 #include "loops/sampling.hpp"
 #include "mesh/geometry.hpp"
 #include "step/selection.hpp"
+#include "step/stress_view.hpp"
 
 #include <fmt/format.h>
 
@@ -42,12 +43,9 @@ std::array<double, D + 1> barycentric(const Mesh<D>& mesh, Index element,
 template <int D>
 Sym<D> stress_at(const Model<D>& model, Index element, const std::vector<double>& shares) {
   const Store& s = model.store;
-  const ElementStress<D> stress{s.get<ElementNodes<D>>(),     s.get<NodePosition<D>>(),
-                                s.get<ElementReference<D>>(), s.get<ElementMaterial>(),
-                                s.get<MaterialLame>(),        model.thickness};
   StressPoint<D> at{element, {}};
   for (int a = 0; a <= D; ++a) at.shares[a] = shares[static_cast<std::size_t>(a)];
-  return sample_stress(stress, s.get<NodeCorners>(), s.get<CornerList>(), at);
+  return sample_stress(stress_of(model), s.get<NodeCorners>(), s.get<CornerList>(), at);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-#include "base/sums.hpp"
+#include "loops/element_laws.hpp"
 #include "step/module.hpp"
 
 namespace breccia {
@@ -18,10 +18,17 @@ class Solid final : public Module<D> {
   void archive(Archive& archive) override;
 
  private:
+  /// Whether the elements of a block need more than their shapes: plastic flow, an equation of
+  /// state, initial stress.
+  bool remembers(const Model<D>& model, const Block& block) const;
+  void set_start(Model<D>& model);
+  AnisotropicState<D> anisotropic_state(const Model<D>& model, const Material& material) const;
+  ElementForceIn<D> input(const Model<D>& model, const Block& block, const Clock& clock) const;
   void forces(Model<D>& model, const Clock& clock);
   void stop_at(Model<D>& model, Index element, const Clock& clock) const;
 
-  std::vector<ChunkSums<1>> viscous_;  ///< J dissipated by damping, per block
+  std::vector<ElementSums> sums_;                 ///< energies of each block
+  std::vector<AnisotropicState<D>> anisotropic_;  ///< per material
   Array<Index> bad_;
 };
 

@@ -1,0 +1,237 @@
+#pragma once
+#include "loops/element_laws.hpp"
+#include "loops/element_response.hpp"
+
+namespace breccia {
+
+/// Isotropic elasticity with plastic flow, damage and an equation of state, or initial stress.
+///
+// symbols  G [1] inverse plastic metric in material axes   B = F G F^T elastic left Cauchy-Green
+//          eps = ln(B) / 2 elastic strain   p [Pa] pressure of the equation of state
+// source   multiplicative plasticity in logarithmic strain: Weber and Anand 1990, Simo 1992. The
+//          law sees principal strains only, so it is objective whatever it does, and hyperelastic
+//          while it does not flow. docs/decisions/0006.
+//
+// eq:solid-11  trial eps = ln(F G F^T) / 2 with the G of the last step; after the law's return
+//              G = F^-1 exp(2 eps) F^-T.
+template <int D, class Law>
+struct InelasticResponse {
+  Law law;
+  InelasticState<D> state;
+  double density;       ///< kg/m3 at the start
+  double dt;            ///< s since the last call
+  double energy_scale;  ///< thickness / D!
+
+  template <class R, class Lanes>
+  KOKKOS_FUNCTION
+  FullSym<D, R> respond(SubShape<D, R>& shape, const Lanes& lanes, int sub,
+                        Sums<element_sum::count>& sums) const {
+    FullSym<D, R> g;
+    for (int i = 0; i < FullSym<D>::size; ++i) g[i] = lanes.read(state.elastic, sub, i);
+    FullSym<D, R> eps = elastic_strain(shape, g);
+    if constexpr (Lanes::kGroup > 1) eps.add_identity(shape.shift);
+    // With an equation of state the law is shown the strain that makes its pressure.
+    R pressed = R(0);
+    if (state.has_eos) {
+      pressed = (expected_pressure(shape, lanes, sub) * R(-1 / law.bulk) - trace(eps)) * R(1.0 / 3);
+      eps.add_identity(pressed);
+    }
+    R history[kMaxHistory];
+    for (int k = 0; k < Law::kHistory; ++k) history[k] = lanes.read(state.history, sub, k);
+    const R mean = R(law.bulk) * trace(eps);
+    const R beyond =
+        law.beyond(mean, R(law.shear) * square_root(R(2) * squared_deviator(eps)), history);
+    if (any(R(0) < beyond)) flow(shape, lanes, sub, beyond, shape.shift + pressed, eps, sums);
+    const R volumetric = trace(eps);
+    const R stored = R(law.shear) * squared_deviator(eps) +
+                     (state.has_eos ? R(0) : R(0.5 * law.bulk) * volumetric * volumetric);
+    book_stored(lanes, stored * shape.share * R(energy_scale) * shape.det / shape.jacobian, sums);
+    return isotropic(HenckyElastic{law.bulk - 2 * law.shear / 3, law.shear}, eps, false);
+  }
+
+  /// The mean stress of the group: its own average, or the pressure that the equation of state
+  /// gives for the group's volume, energy and heat.
+  template <int Group, class R, class Lanes>
+  KOKKOS_FUNCTION
+  R settle(const Lanes& lanes, const GroupVolume<R>& volume, SubShape<D, R> (&shape)[Group],
+           FullSym<D, R> (&tau)[Group], Sums<element_sum::count>& sums) const {
+    if (!state.has_eos) {
+      if constexpr (Group > 1) share_mean<D, Group>(volume, shape, tau);
+      return R(law.bulk + 4.0 / 3 * law.shear);
+    }
+    R work = R(0), share = R(0);
+    for (int s = 0; s < Group; ++s) {
+      work = work + shape[s].work * shape[s].det / shape[s].jacobian;
+      share = share + shape[s].share * R(1.0 / Group);
+    }
+    work = (work / volume.original + volume.shock_work) * R(1 / density);
+    const R mass = share * volume.original * R(energy_scale * density);
+    R modulus;
+    const R pressure =
+        advance(lanes, volume.now / volume.original, work, mass, Group, modulus, sums);
+    for (int s = 0; s < Group; ++s)
+      tau[s].add_identity(trace(tau[s]) * R(-1.0 / 3) - shape[s].jacobian * pressure);
+    return modulus;
+  }
+
+ private:
+  template <class R>
+  KOKKOS_FORCEINLINE_FUNCTION
+  static FullSym<D, R> elastic_strain(const SubShape<D, R>& shape, const FullSym<D, R>& g) {
+    const Sym<D, R> b = congruent(shape.f, g.in);
+    if constexpr (D == 2) {
+      const R elastic_jacobian =
+          shape.jacobian * square_root(g.in.s[0] * g.in.s[1] - g.in.s[2] * g.in.s[2]);
+      return {hencky_strain(b, elastic_jacobian), R(0.5) * log_near_one(g.zz)};
+    } else {
+      return {hencky_strain(b, shape.jacobian), R(0)};
+    }
+  }
+
+  template <class R>
+  KOKKOS_FORCEINLINE_FUNCTION
+  static R squared_deviator(const FullSym<D, R>& eps) {
+    const R third = trace(eps) * R(1.0 / 3);
+    return contract(eps, eps) - third * trace(eps);
+  }
+
+  /// J times the pressure that the group would have without plastic work in this step, Pa.
+  template <class R, class Lanes>
+  KOKKOS_FUNCTION
+  R expected_pressure(const SubShape<D, R>& shape, const Lanes& lanes, int sub) const {
+    // The group's dilation is that of the sub-element and what the group adds to it.
+    double j[Lanes::W], added[Lanes::W];
+    store(shape.jacobian, j);
+    store(shape.shift, added);
+    for (int l = 0; l < lanes.count(); ++l) {
+      EosState now = read(lanes.element(l, sub));
+      const double whole = Lanes::kGroup > 1 ? j[l] * Kokkos::exp(3 * added[l]) : j[l];
+      state.eos.advance(now, density / whole, 0.0);
+      j[l] *= now.p;
+    }
+    return load<R>(j);
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION
+  EosState read(Index e) const {
+    const auto& h = state.history;
+    return {h(e, eos_place::density), h(e, eos_place::energy), h(e, eos_place::pressure),
+            h(e, eos_place::distension)};
+  }
+
+  /// Moves the equations of state on and gives their pressures, Pa.
+  template <class R, class Lanes>
+  KOKKOS_FUNCTION
+  R advance(const Lanes& lanes, const R& jacobian, const R& work, const R& mass, int group,
+            R& modulus, Sums<element_sum::count>& sums) const {
+    double j[Lanes::W], w[Lanes::W], m[Lanes::W], stiff[Lanes::W];
+    store(jacobian, j);
+    store(work, w);
+    store(mass, m);
+    for (int l = 0; l < Lanes::W; ++l) {
+      stiff[l] = 0;
+      if (l >= lanes.count()) continue;
+      EosState now = read(lanes.element(l, 0));
+      state.eos.advance(now, density / j[l], w[l]);
+      for (int s = 0; s < group; ++s) write(lanes.element(l, s), now);
+      sums[element_sum::stored] += m[l] * (now.e - state.eos.energy0);
+      stiff[l] = j[l] * (state.eos.bulk_modulus(now.rho, now.e, now.alpha) + 4.0 / 3 * law.shear);
+      j[l] = now.p;
+    }
+    modulus = load<R>(stiff);
+    return load<R>(j);
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION
+  void write(Index e, const EosState& now) const {
+    state.history(e, eos_place::density) = now.rho;
+    state.history(e, eos_place::energy) = now.e;
+    state.history(e, eos_place::pressure) = now.p;
+    state.history(e, eos_place::distension) = now.alpha;
+  }
+
+  /// The law's return, lane by lane; few elements flow at a time.
+  template <class R, class Lanes>
+  KOKKOS_FUNCTION
+  void flow(SubShape<D, R>& shape, const Lanes& lanes, int sub, const R& beyond, const R& added,
+            FullSym<D, R>& eps, Sums<element_sum::count>& sums) const {
+    constexpr int W = Lanes::W, kSize = FullSym<D>::size;
+    double trial[kSize][W], f[D][D][W], over[W], add[W], volume[W], work[W];
+    for (int i = 0; i < kSize; ++i) store(eps[i], trial[i]);
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) store(shape.f(i, j), f[i][j]);
+    store(beyond, over);
+    store(added, add);
+    store(shape.share * R(energy_scale) * shape.det / shape.jacobian, volume);
+    for (int l = 0; l < W; ++l) {
+      work[l] = 0;
+      if (!(over[l] > 0) || l >= lanes.count()) continue;
+      FullSym<D> e;
+      Mat<D> deformation;
+      for (int i = 0; i < kSize; ++i) e[i] = trial[i][l];
+      for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j) deformation(i, j) = f[i][j][l];
+      work[l] = flow_one(lanes.element(l, sub), deformation, add[l], e);
+      for (int i = 0; i < kSize; ++i) trial[i][l] = e[i];
+      sums[element_sum::plastic] += work[l] * volume[l];
+    }
+    for (int i = 0; i < kSize; ++i) eps[i] = load<R>(trial[i]);
+    shape.work = load<R>(work);
+  }
+
+  KOKKOS_FUNCTION
+  double flow_one(Index element, const Mat<D>& f, double added, FullSym<D>& e) const {
+    const Principal<D> axes = principal_of(e.in);
+    double strain[3], history[kMaxHistory];
+    for (int k = 0; k < D; ++k) strain[k] = axes.value[k];
+    if constexpr (D == 2) strain[2] = e.zz;
+    double trial[3] = {strain[0], strain[1], strain[2]};
+    for (int k = 0; k < Law::kHistory; ++k) history[k] = state.history(element, k);
+    double work = law.update(strain, history, dt);
+    for (int k = 0; k < Law::kHistory; ++k) state.history(element, k) = history[k];
+    if (strain[0] == trial[0] && strain[1] == trial[1] && strain[2] == trial[2]) return work;
+    if (state.has_eos) {
+      // Volume belongs to the equation of state: the flow keeps it and does no work on it.
+      const double volume = strain[0] + strain[1] + strain[2];
+      const double change = (volume - trial[0] - trial[1] - trial[2]) / 3;
+      const double rest = work + 3 * law.bulk * volume * change;
+      work = rest > 0 ? rest : 0.0;
+      for (double& value : strain) value -= change;
+    }
+    for (int k = 0; k < D; ++k) trial[k] = strain[k];
+    e.in = axes.with(strain);
+    for (int k = 0; k < D; ++k) trial[k] = Kokkos::exp(2 * (strain[k] - added));
+    const Sym<D> g = congruent(inverse(f), axes.with(trial));
+    for (int i = 0; i < Sym<D>::size; ++i) state.elastic(element, i) = g.s[i];
+    if constexpr (D == 2) {
+      e.zz = strain[2];
+      state.elastic(element, 3) = Kokkos::exp(2 * (strain[2] - added));
+    }
+    return work;
+  }
+};
+
+/// Every law with one kind of element; each kind is compiled in a file of its own.
+template <int D, int Group>
+void inelastic_groups(const ElementForceIn<D>& in, const ElementForceOut<D>& out,
+                      const PlasticLaw& law, const InelasticState<D>& state) {
+  std::visit(
+      [&]<class Law>(const Law& chosen) {
+        const InelasticResponse<D, Law> response{chosen, state, in.density, in.dt,
+                                                 in.thickness / kFactorial<D>};
+        launch(ElementLoop<D, Group, InelasticResponse<D, Law>, Wishes>{in, out, response,
+                                                                        wishes_of(in, out)});
+      },
+      law);
+}
+
+extern template void inelastic_groups<2, 4>(const ElementForceIn<2>&, const ElementForceOut<2>&,
+                                            const PlasticLaw&, const InelasticState<2>&);
+extern template void inelastic_groups<3, 1>(const ElementForceIn<3>&, const ElementForceOut<3>&,
+                                            const PlasticLaw&, const InelasticState<3>&);
+extern template void inelastic_groups<3, 8>(const ElementForceIn<3>&, const ElementForceOut<3>&,
+                                            const PlasticLaw&, const InelasticState<3>&);
+extern template void inelastic_groups<3, 12>(const ElementForceIn<3>&, const ElementForceOut<3>&,
+                                             const PlasticLaw&, const InelasticState<3>&);
+
+}  // namespace breccia
