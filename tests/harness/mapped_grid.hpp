@@ -1,0 +1,17 @@
+#pragma once
+#include "mesh/mesh.hpp"
+
+#include <functional>
+#include <string>
+
+namespace breccia {
+
+/// From the unit square to the body.
+using Mapping = std::function<Point<2>(double, double)>;
+
+/// Gmsh text of `nx` times `ny` quadrilaterals, each cut into two triangles; groups "rock", "left",
+/// "right", "bottom" and "top". Second order: mid-edge nodes are mapped like the others, so that
+/// composites follow curved sides.
+std::string mapped_grid(int nx, int ny, const Mapping& map, bool second_order = false);
+
+}  // namespace breccia
