@@ -12,7 +12,7 @@ namespace breccia {
 //          law sees principal strains only, so it is objective whatever it does, and hyperelastic
 //          while it does not flow. docs/decisions/0006.
 //
-// eq:solid-11  trial eps = ln(F G F^T) / 2 with the G of the last step; after the law's return
+// eq:solid-17 trial eps = ln(F G F^T) / 2 with the G of the last step; after the law's return
 //              G = F^-1 exp(2 eps) F^-T.
 template <int D, class Law>
 struct InelasticResponse {

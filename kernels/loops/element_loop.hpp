@@ -35,6 +35,7 @@ struct SubShape {
   R shift;  ///< what the shared dilation adds to each normal strain
   R share;  ///< of its stress that the element carries
   R work;   ///< of plastic flow in this step per reference volume, J/m3
+  R shock;  ///< bulk viscosity, Pa
 };
 
 /// Volume of a group, times D! and over the thickness, and what bulk viscosity does to it.
@@ -45,8 +46,8 @@ struct GroupVolume {
   R shock_work;  ///< heat of bulk viscosity in this step per reference volume, J/m3
 };
 
-/// eq:solid-10  tau = dev tau + (J / Jbar) mbar 1, mbar = sum V0 m / V0 with m the mean stress:
-/// with eq:solid-9 the exact derivative of the group's energy sum V0 w(eps).
+/// eq:solid-16  tau = dev tau + (J / Jbar) mbar 1, mbar = sum V0 m / V0 with m the mean stress:
+/// with eq:solid-15 the exact derivative of the group's energy sum V0 w(eps).
 template <int D, int Group, class R>
 KOKKOS_FORCEINLINE_FUNCTION
 void share_mean(const GroupVolume<R>& volume, const SubShape<D, R> (&shape)[Group],
@@ -105,8 +106,8 @@ struct ElementLoop {
       volume.original = volume.original + shape[s].det / shape[s].jacobian;
     }
     if constexpr (Group > 1) share_dilation(volume, shape);
-    R shock = R(0), stiffening = R(1);
-    if (wish.shocked) press(lanes, x, volume, shock, stiffening, sums);
+    R stiffening = R(1);
+    if (wish.shocked) press(lanes, x, volume, shape, stiffening, sums);
 
     Stresses tau;
     for (int s = 0; s < Group; ++s) tau[s] = response.respond(shape[s], lanes, s, sums);
@@ -115,7 +116,7 @@ struct ElementLoop {
       if (wish.shared) tau[s] *= shape[s].share;
       if (wish.watched) watch(lanes, s, tau[s], shape[s].jacobian);
       if (wish.stored) keep(lanes, s, tau[s], shape[s].jacobian);
-      if (wish.shocked) tau[s].add_identity(-shock * shape[s].share * shape[s].jacobian);
+      if (wish.shocked) tau[s].add_identity(-shape[s].shock * shape[s].share * shape[s].jacobian);
       if (wish.paced) lanes.write(modulus * stiffening, out.modulus, s);
     }
     if (wish.damped) damp(lanes, x, volume, shape, tau, sums);
@@ -143,6 +144,7 @@ struct ElementLoop {
     shape.shift = R(0);
     shape.share = wish.shared ? lanes.read(in.share, s) : R(1);
     shape.work = R(0);
+    shape.shock = R(0);
     report(lanes, s, shape.jacobian);
   }
 
@@ -155,7 +157,7 @@ struct ElementLoop {
       if (!(j[l] > in.smallest_jacobian)) Kokkos::atomic_min(&out.bad(0), lanes.element(l, s));
   }
 
-  /// eq:solid-9  the strain of each sub-element takes the dilation of the whole:
+  /// eq:solid-15  the strain of each sub-element takes the dilation of the whole:
   /// eps + (ln Jbar - ln J)/3 1, Jbar = V / V0 of the group. Not in plane stress, where thickness
   /// is free to change and nothing locks.
   KOKKOS_FORCEINLINE_FUNCTION
@@ -167,36 +169,36 @@ struct ElementLoop {
       shape[s].shift = (whole - log_near_one(shape[s].jacobian)) * R(1.0 / 3);
   }
 
-  /// Bulk viscosity: q = rho l (a l tr(d)^2 + b c |tr(d)|) where the group is compressed,
-  /// tr(d) that of the group, l the size of its parts. It makes the group stiffer for the time
-  /// step by (x + sqrt(1 + x^2))^2, x = b + a l |tr(d)| / c.
+  /// Bulk viscosity: q = rho l (a l tr(d)^2 + b c |tr(d)|) where a sub-element is
+  /// compressed, l its size. Each has its own: the pressure that a composite shares does not keep
+  /// its parts from inverting in a shock. It makes the group stiffer for the time step by
+  /// (x + sqrt(1 + x^2))^2, x = b + a l |tr(d)| / c.
   KOKKOS_FUNCTION
-  void press(const Lanes& lanes, const Vec<D, R> (&x)[kNodes], GroupVolume<R>& volume, R& shock,
-             R& stiffening, Totals& sums) const {
+  void press(const Lanes& lanes, const Vec<D, R> (&x)[kNodes], GroupVolume<R>& volume,
+             Shapes& shape, R& stiffening, Totals& sums) const {
     Vec<D, R> v[kNodes];
     lanes.template gather<D>(in.nodes, in.v, v);
-    R whole = R(0), growth = R(0);
+    R heat = R(0), excess = R(0);
     for (int s = 0; s < Group; ++s) {
       R heights, det;
       const Sym<D, R> d = rate_of_deformation(sub_edges<D, Group, R>(x, s),
                                               sub_edges<D, Group, R>(v, s), heights, det);
-      whole = whole + det;
-      growth = growth + det * trace(d);
+      const R closing = maximum(R(0), -trace(d));
+      const R size = map_lanes(shape[s].det * R(1 / kFactorial<D>), [](double part) {
+        return D == 2 ? Kokkos::sqrt(part) : Kokkos::cbrt(part);
+      });
+      const R quick = R(in.shock_quadratic) * size * closing;
+      shape[s].shock = R(in.density) / shape[s].jacobian * size * closing *
+                       (quick + R(in.shock_linear * in.wave_speed));
+      heat = heat + shape[s].shock * closing * shape[s].det;
+      const R linear = minimum(closing * R(1e300), R(in.shock_linear));
+      excess = maximum(excess, linear + quick * R(1 / in.wave_speed));
     }
-    const R closing = maximum(R(0), -growth / whole);
-    const R size = map_lanes(volume.now * R(1 / (kFactorial<D> * Group)), [](double part) {
-      return D == 2 ? Kokkos::sqrt(part) : Kokkos::cbrt(part);
-    });
-    const R quick = R(in.shock_quadratic) * size * closing;
-    const R jacobian = volume.now / volume.original;
-    shock =
-        R(in.density) / jacobian * size * closing * (quick + R(in.shock_linear * in.wave_speed));
-    const R excess = minimum(closing * R(1e300), R(in.shock_linear)) + quick * R(1 / in.wave_speed);
     const R slow = excess + square_root(R(1) + excess * excess);
     stiffening = slow * slow;
-    volume.shock_work = shock * closing * jacobian * R(in.dt);
+    volume.shock_work = heat / volume.original * R(in.dt);
     double power[W];
-    store(shock * closing * volume.now, power);
+    store(heat, power);
     for (int l = 0; l < lanes.count(); ++l)
       sums[element_sum::shock] += power[l] * (in.thickness / kFactorial<D> * in.kick);
   }

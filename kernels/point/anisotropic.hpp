@@ -13,7 +13,7 @@ struct Anisotropic {
   /// doubled. Pa.
   double c[6][6] = {};
 
-  /// eq:solid-8  t = C eps; in the plane the shears across are zero.
+  /// eq:solid-14 t = C eps; in the plane the shears across are zero.
   template <int D, class R>
   KOKKOS_FUNCTION
   FullSym<D, R> stress(const FullSym<D, R>& eps) const {

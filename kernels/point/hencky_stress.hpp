@@ -12,7 +12,7 @@ namespace breccia {
 //          eigenvalues. With isotropic t(eps) this is S = F^-1 t F^-T.
 // page     docs/modules/solid.md
 //
-// eq:solid-5  in the plane, with m = 1 / (tr C + 2 J), D = dev C, A(y) = atanh(sqrt y) / sqrt y,
+// eq:solid-11 in the plane, with m = 1 / (tr C + 2 J), D = dev C, A(y) = atanh(sqrt y) / sqrt y,
 //             y = 2 (D : D) m^2 and eps = ln(J)/2 1 + 2 m A D:
 //             S = tr(t)/2 C^-1 + 4 m A dev t
 //                 + 2 (t : D) [ 8 m^3 A' D - m^2 (8 m^2 (D : D) A' + 2 A) (1 + J C^-1) ]
@@ -73,7 +73,7 @@ Sym<3, R> both_ways(const Sym<3, R>& a, const Sym<3, R>& b) {
 /// Largest |X|^2 for which the terms up to X^2 and up to X^4 reach round-off.
 inline constexpr double kReachTwo = 1e-8, kReachFour = 2e-5;
 
-/// eq:solid-6  in space, for one point: in the axes of C, S_ij = 2 t_ij theta_ij, theta_ij the
+/// eq:solid-12 in space, for one point: in the axes of C, S_ij = 2 t_ij theta_ij, theta_ij the
 /// divided difference of (ln l)/2 between the eigenvalues l_i and l_j of C.
 KOKKOS_INLINE_FUNCTION
 Sym<3> second_piola_by_eigenvalues(const Sym<3>& t, const Sym<3>& c) {
@@ -92,7 +92,7 @@ Sym<3> second_piola_by_eigenvalues(const Sym<3>& t, const Sym<3>& c) {
 
 }  // namespace hencky
 
-/// eq:solid-7  in space, with X = (C - 1)(C + 1)^-1 and eps = atanh X:
+/// eq:solid-13 in space, with X = (C - 1)(C + 1)^-1 and eps = atanh X:
 ///   S = 4 (C + 1)^-1 [ t + (Y t + X t X + t Y)/3 + ... ] (C + 1)^-1,  Y = X^2,
 /// the bracket being the derivative of the series, term by term.
 template <class R>

@@ -25,11 +25,19 @@ struct RunningScene {
   }
 };
 
-/// A block of jittered elements that shakes: about `elements` of tri3 or tet4. `extra` adds
-/// sections.
+/// What a shaking block is made of.
+struct BlockKind {
+  std::string element = {};  ///< tri3 or tet4 if empty
+  int group = 1;             ///< sub-elements of that element
+  std::string elastic = "elastic = { young = 60e9, poisson = 0.25 }\n";
+};
+
+/// A block of jittered elements that shakes: about `elements` simplices. `extra` adds keys of the
+/// material and sections.
 template <int D>
-std::string shaking_block(double elements, const std::string& extra = {}) {
-  const int per_cell = D == 2 ? 2 : 6;
+std::string shaking_block(double elements, const std::string& extra = {},
+                          const BlockKind& kind = {}) {
+  const int per_cell = (D == 2 ? 2 : 6) * kind.group;
   const int n = static_cast<int>(std::pow(elements / per_cell, 1.0 / D) + 0.5);
   const std::string cells = std::to_string(n);
   const bool plane = D == 2;
@@ -38,10 +46,11 @@ std::string shaking_block(double elements, const std::string& extra = {}) {
          (plane ? "shape = { rectangle = { corner = [0, 0], size = [1, 1] } }\n"
                 : "shape = { box = { corner = [0, 0, 0], size = [1, 1, 1] } }\n") +
          "mesh = { generator = \"structured\", jitter = 0.1, pattern = \"" +
-         (plane ? "right" : "kuhn") + "\", cells = [" + cells + ", " + cells +
-         (plane ? "] }\n" : ", " + cells + "] }\n") +
-         (plane ? "spin = 1.0\n" : "spin = [0, 0, 1]\n") +
-         "[material.rock]\ndensity = 2650\nelastic = { young = 60e9, poisson = 0.25 }\n" + extra;
+         (plane ? "right" : "kuhn") +
+         (kind.element.empty() ? "\"" : "\", element = \"" + kind.element + "\"") + ", cells = [" +
+         cells + ", " + cells + (plane ? "] }\n" : ", " + cells + "] }\n") +
+         (plane ? "spin = 1.0\n" : "spin = [0, 0, 1]\n") + "[material.rock]\ndensity = 2650\n" +
+         kind.elastic + extra;
 }
 
 }  // namespace breccia::perf

@@ -199,7 +199,9 @@ void declare_anisotropy(Schema& schema) {
       .required()
       .doc(
           "C11, C12, ... C16, C22, ... C66: the upper triangle row by row, in the order xx, yy, "
-          "zz, yz, xz, xy, for doubled shears.");
+          "zz, yz, xz, xy, for doubled shears.")
+      .example(
+          "[31e9, 4e9, 14e9, 0, 0, 0, 22e9, 4e9, 0, 0, 0, 31e9, 0, 0, 0, 6e9, 0, 0, 9e9, 0, 6e9]");
 }
 
 std::optional<Anisotropic> read_anisotropy(const Settings& material, int dimension) {

@@ -136,4 +136,34 @@ TOGETHER = [
          says=["bears a mean tension of 2", "(eos.mie_gruneisen.spall)"]),
 ]
 
-CASES = LAWS + EOS + TOGETHER
+LAYERED = ('transversely_isotropic = { young = "40 GPa", young_axis = "25 GPa", poisson = 0.2, '
+           'poisson_axis = 0.15, shear_axis = "12 GPa" }')
+STIFFNESS = "stiffness.constants = [%s]"
+ISOTROPIC = "31e9, 4e9, 14e9, 0, 0, 0, 22e9, 4e9, 0, 0, 0, 31e9, 0, 0, 0, 6e9, 0, 0, 9e9, 0, 6e9"
+
+
+def instead(text):
+    """The right scene with other elastic constants."""
+    return {"edit": [(GRANITE, text)]}
+
+
+DIRECTIONS = [
+    Case("two kinds of elasticity", **granite(LAYERED), says=["exclude each other"]),
+    Case("contraction that gives energy",
+         **instead(LAYERED.replace("0.15", "0.9")), at="transversely",
+         says=["a strain would give energy: the leading minor of order 3"]),
+    Case("two moduli", **instead('orthotropic = { young = ["1 GPa", "2 GPa"], '
+                                 'poisson = [0, 0, 0], shear = ["1 GPa", "1 GPa", "1 GPa"] }'),
+         at="orthotropic", says=["young: 2 numbers; three are wanted"]),
+    Case("twenty constants", **instead(STIFFNESS % ISOTROPIC.rsplit(",", 1)[0]), at="stiffness",
+         says=["20 numbers; a stiffness has 21", "rows of the upper triangle"]),
+    Case("negative second minor", **instead(STIFFNESS % ISOTROPIC.replace("22e9", "0.1e9")),
+         at="stiffness", says=["the leading minor of order 2 of the stiffness is not positive"]),
+    Case("a plane that shears out of itself",
+         **instead(STIFFNESS % ISOTROPIC.replace("14e9, 0", "14e9, 1e9")), at="stiffness",
+         says=["C14 would shear the plane out of itself"]),
+    Case("layers that yield", **instead(LAYERED + '\nj2.yield = "1 MPa"'), at="j2",
+         says=["material.granite.j2: needs a material that is alike in all directions"]),
+]
+
+CASES = LAWS + EOS + TOGETHER + DIRECTIONS

@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace breccia {
 
@@ -304,6 +306,32 @@ void Solid<D>::draw(Model<D>& model, Picture& picture) const {
   }
   picture.element_fields.push_back(std::move(stress));
   picture.element_fields.push_back(std::move(mises));
+  draw_history(model, picture);
+}
+
+/// What laws remember, by name; zero where a material does not know the name.
+template <int D>
+void Solid<D>::draw_history(const Model<D>& model, Picture& picture) const {
+  if (!model.store.template has<ElementHistory>()) return;
+  const auto history = Kokkos::create_mirror_view_and_copy(
+      Kokkos::HostSpace{}, model.store.template get<ElementHistory>());
+  const std::size_t first = picture.element_fields.size();
+  for (const Block& block : model.blocks)
+    std::visit(
+        [&](const auto& law) {
+          for (std::size_t k = 0; k < law.kHistoryEntries.size(); ++k) {
+            const HistoryEntry& entry = law.kHistoryEntries[k];
+            auto field =
+                std::find_if(picture.element_fields.begin() + first, picture.element_fields.end(),
+                             [&](const PictureField& f) { return f.name == entry.name; });
+            if (field == picture.element_fields.end())
+              field = picture.element_fields.insert(
+                  field, {entry.name, entry.unit, 1, std::vector<double>(model.elements(), 0.0)});
+            for (Index e = block.begin; e < block.end; ++e)
+              field->values[static_cast<std::size_t>(e)] = history(e, k);
+          }
+        },
+        model.materials[block.material].plastic);
 }
 
 template <int D>
