@@ -49,8 +49,9 @@ void rotate(double (&a)[D][D], Mat<D>& axes, int p, int r) {
 
 }  // namespace principal
 
-/// Cyclic Jacobi rotations until nothing is left beside the diagonal: one in the plane, in space
-/// mostly four rounds.
+/// Cyclic Jacobi rotations: one in the plane, in space mostly four rounds. A round squares what is
+/// left beside the diagonal, so the one that begins below 1e-10 of the differences on it is the
+/// last.
 template <int D>
 KOKKOS_INLINE_FUNCTION
 Principal<D> principal_of(const Sym<D>& m) {
@@ -60,13 +61,16 @@ Principal<D> principal_of(const Sym<D>& m) {
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j) a[i][j] = m(i, j);
   for (int round = 0; round < (D == 2 ? 1 : 12); ++round) {
-    double beside = 0;
+    double beside = 0, apart = Kokkos::abs(a[0][0] - a[1][1]);
     for (int p = 0; p < D - 1; ++p)
       for (int r = p + 1; r < D; ++r) {
         beside += Kokkos::abs(a[p][r]);
-        principal::rotate<D>(a, result.axes, p, r);
+        const double gap = Kokkos::abs(a[p][p] - a[r][r]);
+        if (gap < apart) apart = gap;
       }
-    if (beside == 0) break;
+    for (int p = 0; p < D - 1; ++p)
+      for (int r = p + 1; r < D; ++r) principal::rotate<D>(a, result.axes, p, r);
+    if (beside <= 1e-10 * apart) break;
   }
   for (int k = 0; k < D; ++k) result.value[k] = a[k][k];
   return result;

@@ -1,6 +1,7 @@
 #include "scene/simulation.hpp"
 
 #include "core/error.hpp"
+#include "fields/solid_fields.hpp"
 #include "scene/catalog.hpp"
 #include "scene/model_builder.hpp"
 
@@ -18,7 +19,8 @@ namespace {
 constexpr std::int64_t kRenewal = 50;
 constexpr double kUnseenStrain = 0.02;
 
-std::int64_t steps_to_next(const StableStep& now, double dt) {
+std::int64_t steps_to_next(const StableStep& now, double dt, bool changing) {
+  if (changing) return 1;  // an equation of state or bulk viscosity: moduli follow the shock
   const double strain = now.strain_rate * dt;  // per step
   if (!(strain * kRenewal > kUnseenStrain)) return kRenewal;
   return std::max<std::int64_t>(1, static_cast<std::int64_t>(kUnseenStrain / strain));
@@ -81,7 +83,7 @@ void Simulation<D>::start() {
   clock_.dt = fixed_step_ > 0 ? fixed_step_ : first.dt;
   record(first);
   model_.step_is_stale = false;
-  next_renewal_ = steps_to_next(first, clock_.dt);
+  next_renewal_ = 1;  // prescribed motion may be far from the velocity at the start
   kinetic_start_ = motion_->kinetic_energy(model_);
   stored_start_ = model_.stored_energy();
 }
@@ -111,7 +113,9 @@ void Simulation<D>::choose_step() {
   current_tally = nullptr;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   plan_.book("motion", seconds.count(), tally.launches);
-  if (renew) next_renewal_ = clock_.step + steps_to_next(now, clock_.dt);
+  if (renew)
+    next_renewal_ =
+        clock_.step + steps_to_next(now, clock_.dt, model_.store.template has<ElementModulus>());
   if (now.dt > 0.99 * clock_.dt) next_look_ = clock_.step + kLook;
   model_.step_is_stale = false;
   if (fixed_step_ > 0) {
