@@ -83,7 +83,7 @@ void Simulation<D>::start() {
   clock_.dt = fixed_step_ > 0 ? fixed_step_ : first.dt;
   record(first);
   model_.step_is_stale = false;
-  next_renewal_ = 1;  // prescribed motion may be far from the velocity at the start
+  next_renewal_ = steps_to_next(first, clock_.dt, model_.store.template has<ElementModulus>());
   kinetic_start_ = motion_->kinetic_energy(model_);
   stored_start_ = model_.stored_energy();
 }
