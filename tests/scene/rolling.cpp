@@ -88,6 +88,7 @@ TEST(Rolling, DiscSlipsDownASlope) {
 
 struct Ride {
   double lost, force, ripple, hop;  ///< share of the speed; over the weight; m
+  double speed;                     ///< at the first second, m/s
   double residual, numeric;         ///< res_2; CT_numeric over the kinetic energy
 };
 
@@ -118,6 +119,7 @@ Ride roll_along(int sides, const std::string& cells, double end) {
           mean,
           std::sqrt(squares / n - mean * mean),
           high - low,
+          first,
           ledger.residual_2(),
           std::abs(ledger.value("CT_numeric")) / ledger.kinetic};
 }
@@ -132,7 +134,8 @@ TEST(RollingSlow, PolygonKeepsItsSpeed) {
   for (const Ride& r : {ride, other, finer}) {
     std::printf("speed lost %.4f, force %.4f of the weight, ripple %.3f, hop %.2g m\n", r.lost,
                 r.force, r.ripple, r.hop);
-    EXPECT_LT(std::abs(r.lost), 6e-3);
+    // The speed of one instant: what a hop holds, m g hop, comes out of 3/4 m v^2 and goes back.
+    EXPECT_LT(std::abs(r.lost), kG * r.hop / (1.5 * r.speed * r.speed));
     EXPECT_NEAR(r.force, 1, 0.1);
     EXPECT_LT(r.residual, 1e-5);
     EXPECT_LT(r.numeric, 5e-4);
