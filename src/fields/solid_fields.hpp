@@ -28,7 +28,6 @@ struct ElementElastic {
 /// Numbers that laws remember per element: those of the strength first, then those of the equation
 /// of state.
 struct ElementHistory {
-  static constexpr int state = 4;  ///< first number of the equation of state
   using View = Kokkos::View<double* [8], Columns, Memory>;
   static constexpr FieldInfo info{"element_history", Entity::element, "1", Restart::yes,
                                   "history of strength (4) and of the equation of state (4)"};

@@ -182,6 +182,18 @@ void check_kind(const Settings& boundary, Problems& problems) {
         "turn the scene so that the plane of symmetry is along the axes"));
 }
 
+/// Who would not hold an initial stress as it is given.
+void check_who_bears(const Settings& scene, const Settings& section, Problems& problems) {
+  if (scene.at("run").text_or("plane", "strain") == "stress")
+    problems.add(
+        section.error("", "initial stress is for plane strain", "write run.plane = \"strain\""));
+  for (const Settings& material : scene.children("material"))
+    if (material.has("eos"))
+      problems.add(section.error(
+          "", "the equation of state of " + material.name() + " sets its pressure from its density",
+          "leave one of the two out"));
+}
+
 }  // namespace
 
 void declare_load_keys(Schema& schema) {
@@ -200,6 +212,7 @@ void check_load_rules(const Settings& scene, Problems& problems) {
   for (const Settings& section : scene.list("initial_stress")) {
     check_box(section, problems);
     check_stress(section, dimension, problems);
+    check_who_bears(scene, section, problems);
   }
 }
 

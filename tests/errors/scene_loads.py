@@ -15,6 +15,7 @@ def stress(keys):
     return add(f"[[initial_stress]]\n{keys}\n")
 
 
+GRANITE = 'elastic = { young = "60 GPa", poisson = 0.25 }'
 FOUR = "stress = [-1, -2, -1, 0]"
 
 STRESS = [
@@ -37,6 +38,12 @@ STRESS = [
     Case("stress of an empty box",
          edit=stress(FOUR + '\nbox = { lower = [1, 1], upper = [2, 2] }'),
          says=["no node of the mesh lies there"]),
+    Case("stress in plane stress",
+         edit=stress(FOUR) + [('plane     = "strain"', 'plane = "stress"')],
+         says=["initial_stress.0: initial stress is for plane strain"]),
+    Case("stress where density sets the pressure",
+         edit=stress(FOUR) + [(GRANITE, GRANITE + "\neos.linear = {}")],
+         says=["the equation of state of granite sets its pressure from its density"]),
     Case("stress twice", edit=stress(FOUR + '\nwhere = "block"\n[[initial_stress]]\n' + FOUR),
          says=["is given a stress twice", "that of the one at scene.toml:"]),
 ]
