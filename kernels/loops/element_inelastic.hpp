@@ -185,7 +185,7 @@ struct InelasticResponse {
     double strain[3], history[kMaxHistory];
     for (int k = 0; k < D; ++k) strain[k] = axes.value[k];
     if constexpr (D == 2) strain[2] = e.zz;
-    double trial[3] = {strain[0], strain[1], strain[2]};
+    const double trial[3] = {strain[0], strain[1], strain[2]};
     for (int k = 0; k < Law::kHistory; ++k) history[k] = state.history(element, k);
     double work = law.update(strain, history, dt);
     for (int k = 0; k < Law::kHistory; ++k) state.history(element, k) = history[k];
@@ -198,10 +198,10 @@ struct InelasticResponse {
       work = rest > 0 ? rest : 0.0;
       for (double& value : strain) value -= change;
     }
-    for (int k = 0; k < D; ++k) trial[k] = strain[k];
     e.in = axes.with(strain);
-    for (int k = 0; k < D; ++k) trial[k] = Kokkos::exp(2 * (strain[k] - added));
-    const Sym<D> g = congruent(inverse(f), axes.with(trial));
+    double square[D];  // principal values of B
+    for (int k = 0; k < D; ++k) square[k] = Kokkos::exp(2 * (strain[k] - added));
+    const Sym<D> g = congruent(inverse(f), axes.with(square));
     for (int i = 0; i < Sym<D>::size; ++i) state.elastic(element, i) = g.s[i];
     if constexpr (D == 2) {
       e.zz = strain[2];

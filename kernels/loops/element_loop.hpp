@@ -42,7 +42,6 @@ struct SubShape {
 template <class R>
 struct GroupVolume {
   R now, original;
-  R jacobian;    ///< of the whole
   R shock_work;  ///< heat of bulk viscosity in this step per reference volume, J/m3
 };
 
@@ -99,7 +98,7 @@ struct ElementLoop {
     Vec<D, R> x[kNodes];
     lanes.template gather<D>(in.nodes, in.x, x);
     Shapes shape;
-    GroupVolume<R> volume{R(0), R(0), R(1), R(0)};
+    GroupVolume<R> volume{R(0), R(0), R(0)};
     for (int s = 0; s < Group; ++s) {
       form(lanes, x, s, shape[s]);
       volume.now = volume.now + shape[s].det;
@@ -161,10 +160,9 @@ struct ElementLoop {
   /// eps + (ln Jbar - ln J)/3 1, Jbar = V / V0 of the group. Not in plane stress, where thickness
   /// is free to change and nothing locks.
   KOKKOS_FORCEINLINE_FUNCTION
-  void share_dilation(GroupVolume<R>& volume, Shapes& shape) const {
+  void share_dilation(const GroupVolume<R>& volume, Shapes& shape) const {
     if (in.flat) return;
-    volume.jacobian = volume.now / volume.original;
-    const R whole = log_near_one(volume.jacobian);
+    const R whole = log_near_one(volume.now / volume.original);
     for (int s = 0; s < Group; ++s)
       shape[s].shift = (whole - log_near_one(shape[s].jacobian)) * R(1.0 / 3);
   }
