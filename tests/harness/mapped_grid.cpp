@@ -33,7 +33,8 @@ std::string element(const HalfGrid& grid, int number, int group, const std::vect
   return text + "\n";
 }
 
-std::vector<std::string> elements(const HalfGrid& grid) {
+/// Groups: 1 all triangles, 2 to 5 the sides, or from 6 on the layers of triangles.
+std::vector<std::string> elements(const HalfGrid& grid, int layers) {
   std::vector<std::string> all;
   const auto add = [&](int group, const std::vector<Place>& corner) {
     all.push_back(element(grid, static_cast<int>(all.size()) + 1, group, corner));
@@ -49,8 +50,9 @@ std::vector<std::string> elements(const HalfGrid& grid) {
   }
   for (int j = 0; j < ny; j += 2) {
     for (int i = 0; i < nx; i += 2) {
-      add(1, {{i, j}, {i + 2, j}, {i + 2, j + 2}});
-      add(1, {{i, j}, {i + 2, j + 2}, {i, j + 2}});
+      const int group = layers == 1 ? 1 : 6 + j * layers / ny;
+      add(group, {{i, j}, {i + 2, j}, {i + 2, j + 2}});
+      add(group, {{i, j}, {i + 2, j + 2}, {i, j + 2}});
     }
   }
   return all;
@@ -58,7 +60,7 @@ std::vector<std::string> elements(const HalfGrid& grid) {
 
 }  // namespace
 
-std::string mapped_grid(int nx, int ny, const Mapping& map, bool second_order) {
+std::string mapped_grid(int nx, int ny, const Mapping& map, bool second_order, int layers) {
   const HalfGrid grid{nx, ny, second_order};
   std::string nodes;
   int count = 0;
@@ -70,10 +72,15 @@ std::string mapped_grid(int nx, int ny, const Mapping& map, bool second_order) {
       ++count;
     }
   }
-  const auto list = elements(grid);
-  std::string text =
-      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n5\n2 1 \"rock\"\n1 2 \"left\"\n"
-      "1 3 \"right\"\n1 4 \"bottom\"\n1 5 \"top\"\n$EndPhysicalNames\n";
+  const auto list = elements(grid, layers);
+  std::string names = "2 1 \"rock\"\n";
+  if (layers > 1) names.clear();
+  for (int l = 0; layers > 1 && l < layers; ++l)
+    names += fmt::format("2 {} \"rock {}\"\n", 6 + l, l);
+  std::string text = fmt::format(
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{}\n{}1 2 \"left\"\n"
+      "1 3 \"right\"\n1 4 \"bottom\"\n1 5 \"top\"\n$EndPhysicalNames\n",
+      4 + layers, names);
   text += fmt::format("$Nodes\n{}\n{}$EndNodes\n$Elements\n{}\n", count, nodes, list.size());
   for (const std::string& line : list) text += line;
   return text + "$EndElements\n";
