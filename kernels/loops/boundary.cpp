@@ -33,8 +33,9 @@ void surface_load(const SurfaceLoadIn<D>& in, const CornerForces<D>& force) {
               (row<D>(in.dead, k) - area_vector(x) * (law.pressure * in.thickness)) * factor;
           for (int j = 0; j < D; ++j) f[face_node<D>(in.face(k), j)] += share;
         }
+        const double carried = in.share.extent(0) > 0 ? in.share(e) : 1.0;
         for (int a = 0; a <= D; ++a)
-          for (int d = 0; d < D; ++d) force(e, a, d) = f[a][d];
+          for (int d = 0; d < D; ++d) force(e, a, d) = carried * f[a][d];
       });
 }
 

@@ -38,7 +38,8 @@ struct SurfaceLoadIn {
   Kokkos::View<const Index*, Memory> face_law;
   /// Per face: share of its law's value and delay of its course, s (distance from a source).
   ConstVectors<2> reach;
-  ConstVectors<D> dead;  ///< N on the face, of a fixed direction (tractions)
+  ConstVectors<D> dead;                       ///< N on the face, of a fixed direction (tractions)
+  Kokkos::View<const double*, Memory> share;  ///< of its load that an element carries; empty: all
   double thickness;
   double time;
 };

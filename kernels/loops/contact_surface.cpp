@@ -146,8 +146,11 @@ void find_targets(const ContactSurfaceIn<D>& in, ContactScratch<D>& scratch,
       "breccia::contact::choose", ring_nodes, KOKKOS_LAMBDA(Index i) {
         const Index n = ring(i);
         if (level(n) > layers) return;
-        for (Index k = in.corners(n, 0); k < in.corners(n, 1); ++k)
-          Kokkos::atomic_store(&chosen(in.corner_list(k) / (D + 1)), std::uint8_t(1));
+        for (Index k = in.corners(n, 0); k < in.corners(n, 1); ++k) {
+          const Index e = in.corner_list(k) / (D + 1);
+          if (in.share.extent(0) > 0 && in.share(e) < 1) continue;
+          Kokkos::atomic_store(&chosen(e), std::uint8_t(1));
+        }
       });
   surface.targets = list_where(
       "breccia::contact::targets", in.elements, KOKKOS_LAMBDA(Index e) { return chosen(e) != 0; },

@@ -15,7 +15,8 @@ struct ContactSurfaceIn {
   Kokkos::View<const std::uint8_t*, Memory> face_status;  ///< empty where nothing can break
   Kokkos::View<const std::uint8_t*, Memory> face_code;
   ConstRanges face_elements;
-  std::uint8_t released = 2, inserted = 1;  ///< status of a broken face, and of one that may yet
+  std::uint8_t released = 2, inserted = 1;    ///< status of a broken face, and of one that may yet
+  Kokkos::View<const double*, Memory> share;  ///< below 1: being excavated, no target; empty: all
   double thickness = 1;
   Index layers = 2;  ///< elements behind the surface that are targets, besides the first
 };

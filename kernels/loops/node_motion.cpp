@@ -20,6 +20,8 @@ struct NodeMotionLoop {
     const Index begin = in.corners(n, 0), end = in.corners(n, 1);
     const std::uint32_t flags = in.flags(n);
     const double m = in.mass(n);
+    // All its elements are excavated: it stays where it is, and nothing has to hold it there.
+    if (!(m > 0)) return let_go(n, flags);
     const Vec<D> v = row<D>(out.v, n);
 
     Forces f;
@@ -55,6 +57,11 @@ struct NodeMotionLoop {
   }
 
  private:
+  KOKKOS_FUNCTION
+  void let_go(Index n, std::uint32_t flags) const {
+    if ((flags & in.fixed_bits) != 0) set_row<D>(out.reaction, n, Vec<D>::zero());
+  }
+
   struct Forces {
     Vec<D> element = Vec<D>::zero();
     Vec<D> extra[kExtraClasses] = {Vec<D>::zero(), Vec<D>::zero(), Vec<D>::zero()};

@@ -46,6 +46,7 @@ struct NodeMotionOut {
 /// Local damping adds -resisting |f_d| sign(v_d) in every component that is free.
 /// Boundaries that let waves out resist with -C (v_old + v_new) / 2.
 /// Prescribed components take the boundary's velocity; what holds them is their reaction.
+/// Nodes without mass (excavated) stay where they are.
 template <int D>
 void node_motion(Index nodes, const NodeMotionIn<D>& in, const NodeMotionOut<D>& out);
 

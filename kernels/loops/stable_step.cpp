@@ -21,6 +21,12 @@ double least_principal(const Sym<3>& a) {
   return mean - 2 * Kokkos::sqrt(contract(deviator, deviator) / 6);
 }
 
+template <int D>
+KOKKOS_INLINE_FUNCTION
+double share_of(const StableStepIn<D>& in, Index e) {
+  return in.share.extent(0) > 0 ? in.share(e) : 1.0;
+}
+
 /// Frobenius norm of the rate of deformation, 1/s; `c` and `det` are of the present edges.
 template <int D>
 KOKKOS_FUNCTION
@@ -95,7 +101,7 @@ StableStep stable_step(const StableStepIn<D>& in) {
         Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, in.elements),
         KOKKOS_LAMBDA(Index e, double& most) {
           double deforming = 0;
-          in.rate(e) = element_rate(in, e, deforming);
+          in.rate(e) = share_of(in, e) > 0 ? element_rate(in, e, deforming) : 0.0;
           if (deforming > most) most = deforming;
         },
         Kokkos::Max<double>(fastest));
@@ -108,9 +114,12 @@ StableStep stable_step(const StableStepIn<D>& in) {
       "breccia::motion::stable_step",
       Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, in.nodes),
       KOKKOS_LAMBDA(Index n, typename Reducer::value_type & part) {
+        if (!(in.mass(n) > 0)) return;
         double rate = 0;
-        for (Index k = in.corners(n, 0); k < in.corners(n, 1); ++k)
-          rate += in.rate(in.corner_list(k) / (D + 1));
+        for (Index k = in.corners(n, 0); k < in.corners(n, 1); ++k) {
+          const Index e = in.corner_list(k) / (D + 1);
+          rate += in.rate(e) * share_of(in, e);
+        }
         const double s = springs ? in.stiffness(n) : 0.0;
         const double factor = s > 0 ? in.factor_springs : in.factor_bulk;
         const double dt = factor * 2 / Kokkos::sqrt((rate + s) / in.mass(n));

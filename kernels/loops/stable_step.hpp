@@ -12,6 +12,7 @@ namespace breccia {
 /// of those of its parts, the largest rate of the assembly is at most
 ///   max over nodes of ( sum_e omega_e^2 m_e / m_n + s_n / m_n ),
 /// m_e the element's share of the nodal mass m_n, s_n twice the stiffness of the springs at n.
+/// An element that is being excavated loses stiffness and mass alike; one that is gone has neither.
 template <int D>
 struct StableStepIn {
   Index elements, nodes;
@@ -27,6 +28,7 @@ struct StableStepIn {
   Kokkos::View<const double*, Memory> stiffness;  ///< per node, N/m; empty: no springs
   ConstFullTensors<D> stress;                     ///< Cauchy, Pa; empty: from the shapes
   Kokkos::View<const double*, Memory> modulus;    ///< P-wave modulus now, Pa; 0 or empty: by lame
+  Kokkos::View<const double*, Memory> share;      ///< of its stiffness that is left; empty: all
   double thickness;
   double factor_bulk, factor_springs;  ///< shares of the bound that are used
   Array<double> rate;                  ///< one per element, N/m

@@ -46,7 +46,7 @@ struct StarWork {
   void reserve(Index places);
 };
 
-/// Mass of the corners of an element, kg.
+/// Mass of the corners of an element, kg; one that is being excavated loses it.
 template <int D>
 struct CornerMass {
   ElementStress<D> shape;
@@ -54,7 +54,8 @@ struct CornerMass {
 
   KOKKOS_FUNCTION
   double operator()(Index e) const {
-    return density(shape.material(e)) * shape.volume(e) / (D + 1);
+    const double carried = shape.share.extent(0) > 0 ? shape.share(e) : 1.0;
+    return carried * density(shape.material(e)) * shape.volume(e) / (D + 1);
   }
 };
 

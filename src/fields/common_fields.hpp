@@ -108,11 +108,11 @@ struct ElementReference {
                                   "inverse of the reference edge matrix"};
 };
 
-/// Share of its stress that an element still carries: 1, falling to 0 while it is excavated.
+/// Share of its stress and mass that an element still has: 1, falling to 0 while it is excavated.
 struct ElementShare {
   using View = Array<double>;
   static constexpr FieldInfo info{"element_share", Entity::element, "1", Restart::yes,
-                                  "share of its stress that the element carries"};
+                                  "share of its stress and mass that is left"};
 };
 
 struct ElementBody {
@@ -177,12 +177,14 @@ namespace face_status {
 inline constexpr std::uint8_t bonded = 0, inserted = 1, released = 2;
 /// A bonded face that can never break: no fracture law joins its two materials.
 inline constexpr std::uint8_t tied = 3;
+/// Joins nothing any more: one of its elements is excavated.
+inline constexpr std::uint8_t cut = 4;
 }  // namespace face_status
 
 struct FaceStatus {
   using View = Array<std::uint8_t>;
   static constexpr FieldInfo info{"face_status", Entity::face, "1", Restart::yes,
-                                  "0 bonded, 1 inserted, 2 released, 3 tied for ever"};
+                                  "0 bonded, 1 inserted, 2 released, 3 tied for ever, 4 cut"};
 };
 
 /// Elements on the left and right of a face between two elements, left < right.

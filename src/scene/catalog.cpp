@@ -2,6 +2,7 @@
 
 #include "modules/boundary/boundary.hpp"
 #include "modules/contact/contact.hpp"
+#include "modules/excavation/excavation.hpp"
 #include "modules/fracture/fracture.hpp"
 #include "modules/gravity/gravity.hpp"
 #include "modules/motion/motion.hpp"
@@ -15,6 +16,8 @@ template <int D>
 std::vector<std::unique_ptr<Module<D>>> make_modules(const Settings& scene) {
   std::vector<std::unique_ptr<Module<D>>> list;
   list.push_back(std::make_unique<Motion<D>>());
+  // Before the elements, which keep their stresses where some carry a share of them only.
+  if (ExcavationModule<D>::wanted(scene)) list.push_back(std::make_unique<ExcavationModule<D>>());
   list.push_back(std::make_unique<Solid<D>>());
   if (Gravity<D>::wanted(scene)) list.push_back(std::make_unique<Gravity<D>>());
   if (Boundary<D>::wanted(scene)) list.push_back(std::make_unique<Boundary<D>>());
@@ -32,11 +35,13 @@ void declare_module_keys(Schema& schema) {
   declare_fracture_keys(schema);
   declare_contact_keys(schema);
   declare_rest_keys(schema);
+  declare_excavation_keys(schema);
 }
 
 std::vector<EffectState> effects_of(const Settings& scene) {
   return {{"solid", true},
           {"motion", true},
+          {"excavation", ExcavationModule<2>::wanted(scene)},
           {"gravity", Gravity<2>::wanted(scene)},
           {"boundary", Boundary<2>::wanted(scene)},
           {"fracture", Fracture<2>::wanted(scene)},

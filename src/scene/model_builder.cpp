@@ -7,6 +7,7 @@
 #include "mesh/overlap.hpp"
 #include "mesh/validate.hpp"
 #include "scene/body_shapes.hpp"
+#include "scene/excavations.hpp"
 #include "scene/initial_stress.hpp"
 #include "scene/material_axes.hpp"
 
@@ -31,15 +32,16 @@ Index material_index(const Model<D>& model, const Settings& body) {
   throw body.error("material", "there is no [material." + body.text("material") + "]");
 }
 
-/// Contiguous runs of elements of one material and one kind.
+/// Contiguous runs of elements of one material and one kind that stay or go together.
 template <int D>
-std::vector<Block> find_blocks(const Model<D>& model) {
+std::vector<Block> find_blocks(const Model<D>& model, const std::vector<Index>& excavation) {
   std::vector<Block> blocks;
   for (Index e = 0; e < model.mesh.elements(); ++e) {
     const Index material = model.body_material[model.mesh.body[e]];
     const int group = model.mesh.group_of_body(model.mesh.body[e]);
-    if (blocks.empty() || blocks.back().material != material || blocks.back().group != group)
-      blocks.push_back({e, e, material, group, {}});
+    if (blocks.empty() || blocks.back().material != material || blocks.back().group != group ||
+        blocks.back().excavation != excavation[e])
+      blocks.push_back({e, e, material, group, excavation[e], {}});
     blocks.back().end = e + 1;
   }
   return blocks;
@@ -100,12 +102,20 @@ void build_model(const Settings& scene, const std::filesystem::path& folder, Mod
   for (const Settings& body : scene.list("body"))
     model.body_material[find_body(mesh, body.name())] = material_index(model, body);
   const auto groups = group_sizes(scene, mesh);
+  const std::vector<Index> excavation = excavation_of_elements(scene, mesh);
+  const auto parts = static_cast<Index>(scene.list("excavate").size()) + 1;
   std::vector<Index> block;
-  for (const Index body : mesh.body)
-    block.push_back(model.body_material[body] * (kLargestGroup + 1) + groups[body]);
-  model.mesh = refined_to_composites(reordered(mesh, locality_order(mesh, block)), groups);
+  for (std::size_t e = 0; e < mesh.body.size(); ++e)
+    block.push_back(
+        (model.body_material[mesh.body[e]] * (kLargestGroup + 1) + groups[mesh.body[e]]) * parts +
+        excavation[e] + 1);
+  const Ordering order = locality_order(mesh, block);
+  std::vector<Index> taken;  // sub-elements go with their composite
+  for (const Index e : order.element)
+    taken.insert(taken.end(), static_cast<std::size_t>(groups[mesh.body[e]]), excavation[e]);
+  model.mesh = refined_to_composites(reordered(mesh, order), groups);
   model.topology = build_topology(model.mesh);
-  model.blocks = find_blocks(model);
+  model.blocks = find_blocks(model, taken);
   model.initial_stress = initial_stress(scene, model);
   model.axes = material_axes(scene, model);
   size_store(model);

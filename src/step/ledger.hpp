@@ -14,6 +14,7 @@ enum class ForceClass {
   constraint,
   relaxation,
   absorber,
+  excavation,  ///< mass that left with its kinetic energy; not a force
   count_
 };
 inline constexpr int kForceClasses = static_cast<int>(ForceClass::count_);

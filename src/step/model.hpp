@@ -29,6 +29,8 @@ struct Block {
   Index material = 0;
   /// Sub-elements of each composite (base/composite.hpp), contiguous from `begin` on; 1: simple.
   int group = 1;
+  /// Number of the [[excavate]] that takes these elements out, or none.
+  Index excavation = kNone;
   /// Set by whoever wants to know which elements come near an interface's strength.
   Onset watch;
 };
@@ -53,6 +55,13 @@ struct Rest {
   double taken = 0;      ///< J, kinetic energy of nodes that were held still
 };
 
+/// How far an excavation has come.
+struct Excavation {
+  double share = 1;  ///< of their stress and mass that its elements still have
+  bool gone =
+      false;  ///< the share is zero and the forces that belong to it are known: no work left
+};
+
 /// Everything that modules share: the scene, the mesh on the host, the fields on the device.
 template <int D>
 struct Model {
@@ -72,15 +81,24 @@ struct Model {
   Store store;
 
   // Events that other modules answer to; they count up.
-  std::int64_t splits = 0;    ///< steps in which nodes split: corner lists and nodes changed
-  std::int64_t releases = 0;  ///< steps in which faces were released: new surface
+  std::int64_t splits = 0;           ///< steps in which nodes split: corner lists and nodes changed
+  std::int64_t releases = 0;         ///< steps in which faces were released: new surface
+  std::int64_t surface_changes = 0;  ///< excavations that have begun, and that are complete
   /// Raised by whoever makes the stable step smaller (insertion, new contact candidates).
   bool step_is_stale = true;
   Stop stop;
   Rest rest;
   double added_mass = 0;                  ///< share of the whole mass that mass scaling has added
   std::function<double()> stored_energy;  ///< of all modules now, J; not for every step
+  std::function<double(std::size_t)> stored_in;  ///< energy of the elements of a block now, J
+  std::vector<Excavation> excavations;
+  double left_with_mass = 0;  ///< J, kinetic energy of what was excavated
 
+  /// True for a block whose elements are no longer there.
+  bool gone(const Block& block) const {
+    return block.excavation != kNone &&
+           excavations[static_cast<std::size_t>(block.excavation)].gone;
+  }
   Index nodes() const { return store.count(Entity::node); }
   Index elements() const { return mesh.elements(); }
   const Material& material_of_body(Index body) const { return materials[body_material[body]]; }

@@ -31,7 +31,10 @@ const std::vector<Effect> kEffects = {
      "energy_tension = \"10 kJ/m2\"\nenergy_shear = \"30 kJ/m2\"\nalpha = 1\n",
      true, true},
     {"contact", "[contact]\nfriction = 0.3\n", true, true},
-    {"sensor", "[[sensor]]\nname = \"s\"\npoint = [0.4, 0.4]\n", false, true}};
+    {"sensor", "[[sensor]]\nname = \"s\"\npoint = [0.4, 0.4]\n", false, true},
+    // Complete before a step is looked at: while it lasts, each step asks for an energy.
+    {"excavation", "[[excavate]]\nbox = { lower = [0, 0], upper = [0.3, 0.3] }\nrelease = 1e-3\n",
+     true, true}};
 
 BlockScene with(const std::vector<std::string>& sections) {
   BlockScene scene;

@@ -103,6 +103,43 @@ KINDS = [
          says=["gravity.ramp: 0 s is out of range; allowed: above 0 s"]),
 ]
 
+def excavate(keys):
+    return add(f"[[excavate]]\n{keys}\n")
+
+
+EXCAVATION = [
+    Case("excavation of nothing named", edit=excavate('release = "1 us"'),
+         says=["excavate.0: needs one of where, box"]),
+    Case("excavation without a time", edit=excavate('where = "plate"'),
+         says=["excavate.0.release: is missing"]),
+    Case("excavation at once", edit=excavate('where = "plate"\nrelease = 0'), at="release = 0",
+         says=["0 s is out of range; allowed: above 0 s"]),
+    Case("excavation before the start",
+         edit=excavate('where = "plate"\nrelease = 1\nat = -1'), at="at = -1",
+         says=["-1 s is out of range"]),
+    Case("excavation after the run",
+         edit=excavate('where = "plate"\nrelease = "1 us"\nat = "1 ms"'), at="1 ms",
+         says=["excavate.0.at: 0.001 s is beyond the run (duration 1e-05 s)"]),
+    Case("excavation of a body that is not there",
+         edit=excavate('where = "blok"\nrelease = "1 us"'), at='"blok"',
+         says=["no body or region is called 'blok'. Did you mean 'block'?"]),
+    Case("excavation of a side", edit=excavate('where = "block.top"\nrelease = "1 us"'),
+         at='"block.top"', says=["no element lies there", "a region with elements"]),
+    Case("excavation upside down",
+         edit=excavate('box = { lower = [1, 1], upper = [0, 2] }\nrelease = "1 us"'),
+         says=["0 m is below lower, 1 m, along x"]),
+    Case("excavation of an empty box",
+         edit=excavate('box = { lower = [1, 1], upper = [2, 2] }\nrelease = "1 us"'),
+         says=["no node of the mesh lies there"]),
+    Case("excavation of the same twice",
+         edit=excavate('where = "block"\nrelease = "1 us"\n[[excavate]]\n'
+                       'where = "block"\nrelease = "2 us"'),
+         says=["is taken out twice", "that of the one at scene.toml:"]),
+    Case("excavation of everything",
+         edit=excavate('box = { lower = [-1, -1], upper = [1, 1] }\nrelease = "1 us"'),
+         says=["the excavations leave nothing of the scene"]),
+]
+
 SPREADING = [
     Case("pressure on what cannot break",
          edit=add(SIDE + 'pressure = "1 MPa"\non_new_faces = true\n'), at="on_new",
@@ -129,4 +166,4 @@ MASS = [
          at="1 ns", says=["run.mass_scaling", "nodes that split take their mass anew"]),
 ]
 
-CASES = STRESS + REST + KINDS + SPREADING + MASS
+CASES = STRESS + REST + KINDS + EXCAVATION + SPREADING + MASS

@@ -108,6 +108,25 @@ TEST(Restart, TetrahedraGoOnBitForBit) {
   for (const int before : {0, 37}) check_restart<3>(scene, before, 80);
 }
 
+// In the middle of the release, and in its last steps; with faces that break at the rim.
+TEST(Restart, ExcavationsGoOnBitForBit) {
+  BlockScene scene{2, "[1, 1]", "[8, 8]"};
+  scene.jitter = 0.25;
+  scene.more =
+      "[[initial_stress]]\nstress = [4e6, 0, 1e6, 0]\n"
+      "[[boundary]]\nwhere = \"b\"\nheld = true\n"
+      "[[excavate]]\nbox = { lower = [0.3, 0.3], upper = [0.7, 0.7] }\nrelease = 1e-3\n"
+      "[[excavate]]\nbox = { lower = [0, 0], upper = [0.2, 1] }\nat = 8e-4\nrelease = 1e-3\n"
+      "[contact]\nfriction = 0.3\n"
+      "[fracture.m]\ntensile_strength = 6e6\ncohesion = 20e6\nfriction_angle = 0.7\n"
+      "energy_tension = 2000\nenergy_shear = 20000\n";
+  SceneWorld<2> world(scene.text());
+  world.simulation.start();
+  world.steps(210);
+  EXPECT_GT(world.time(), 1.81e-3) << "both are to be complete";
+  for (const int before : {1, 30, 80, 150}) check_restart<2>(scene, before, 60);
+}
+
 /// A block that turns so fast that it bursts; the checkpoint lies where faces break at every step.
 BlockScene bursting(int dimension) {
   BlockScene scene{dimension, dimension == 2 ? "[0.1, 0.1]" : "[0.02, 0.02, 0.02]",

@@ -217,7 +217,7 @@ void make_hinge(Model<2>& model) {
   model.mesh.element = {{0, 1, 2}, {2, 3, 4}};
   model.mesh.body = {0, 0};
   model.topology = build_topology(model.mesh);
-  model.blocks = {{0, 2, 0, 1, {}}};
+  model.blocks = {{0, 2, 0, 1, kNone, {}}};
   model.store.set_size(Entity::node, 5, 5);
   model.store.set_size(Entity::corner, 6, 6);
   model.store.set_size(Entity::element, 2, 18);

@@ -56,6 +56,12 @@ def read_grid(path):
             read_arrays(root["PointData"], True, arrays)
             read_arrays(root["CellData"], False, arrays)
             cells = root["Connectivity"][()].reshape(-1, CORNERS[kind])
+            if "present" in arrays:  # excavated elements are not drawn
+                here = arrays["present"].values > 0
+                cells = cells[here]
+                for array in arrays.values():
+                    if not array.on_points:
+                        array.values = array.values[here]
             time = float(root["FieldData/time"][0])
             dimension = int(root.attrs["dimension"][0])
             return Grid(root["Points"][()], cells, kind, arrays, time, dimension)

@@ -192,6 +192,7 @@ void Boundary<D>::enlist(Model<D>& model, Plan& plan) {
              [this, &model](const Clock& clock) {
                load_.x = model.store.template get<NodePosition<D>>();
                load_.nodes = model.store.template get<ElementNodes<D>>();
+               load_.share = model.store.template get_or_empty<ElementShare>();
                load_.time = clock.time;
                surface_load(load_, model.store.template get<LoadForce<D>>());
              })

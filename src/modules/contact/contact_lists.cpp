@@ -34,12 +34,33 @@ ContactHistory<D> ContactLists<D>::history(const Model<D>& model) {
 
 template <int D>
 void ContactLists<D>::prepare(const Model<D>& model, double skin) {
-  std::vector<Index> free;
-  for (const ElementFace& f : model.topology.free) free.push_back(f.element * (D + 1) + f.face);
-  free_facet_ = to_device("breccia::contact::free_facets", free);
+  list_free_facets(model);
   if (signals_.value.extent(0) == 0)
     signals_.value = Array<Index>("breccia::contact::signals", ContactSignals::count);
   skin_share_ = skin;
+}
+
+/// Free faces of the elements that stay, and their faces towards what is gone. What is being
+/// excavated touches nobody from its first moment on.
+template <int D>
+void ContactLists<D>::list_free_facets(const Model<D>& model) {
+  std::vector<double> share(model.mesh.element.size(), 1.0);
+  for (const Block& block : model.blocks)
+    if (block.excavation != kNone)
+      std::fill(share.begin() + block.begin, share.begin() + block.end,
+                model.excavations[static_cast<std::size_t>(block.excavation)].share);
+  std::vector<Index> free;
+  for (const ElementFace& f : model.topology.free)
+    if (share[static_cast<std::size_t>(f.element)] == 1)
+      free.push_back(f.element * (D + 1) + f.face);
+  for (const SharedFace& f : model.topology.shared) {
+    const double left = share[static_cast<std::size_t>(f.left)];
+    const double right = share[static_cast<std::size_t>(f.right)];
+    if (left == 1 && right == 0) free.push_back(f.left * (D + 1) + f.left_face);
+    if (right == 1 && left == 0) free.push_back(f.right * (D + 1) + f.right_face);
+  }
+  free_facet_ = to_device("breccia::contact::free_facets", free);
+  changes_ = model.surface_changes;
 }
 
 template <int D>
@@ -66,7 +87,9 @@ void ContactLists<D>::resume(Model<D>& model, const ContactStiffness<D>& rule) {
 template <int D>
 void ContactLists<D>::look(Model<D>& model, const Clock& clock, const ContactStiffness<D>& rule) {
   const bool released = model.releases != releases_;
-  bool due = released && pressed(model, clock), deeper = false;
+  const bool excavated = model.surface_changes != changes_;
+  if (excavated) list_free_facets(model);
+  bool due = excavated || (released && pressed(model, clock)), deeper = false;
   if (!due && model.splits != splits_) {
     refresh_contact_nodes<D>(model.store.template get<ElementNodes<D>>(), surface_);
     refresh_point_nodes(surface_, pairs_);
@@ -82,7 +105,7 @@ void ContactLists<D>::look(Model<D>& model, const Clock& clock, const ContactSti
   if (!due && !deeper) return;
   clear(model);
   // Faces that were inserted meanwhile can wait until now: they open slowly.
-  if (released || deeper || model.splits != surface_splits_) make_surface(model);
+  if (excavated || released || deeper || model.splits != surface_splits_) make_surface(model);
   make_pairs(model, rule);
   carry(model, released);
   last_look_ = clock.step;
@@ -176,6 +199,7 @@ void ContactLists<D>::make_surface(Model<D>& model) {
     in.released = face_status::released;
     in.inserted = face_status::inserted;
   }
+  in.share = s.get_or_empty<ElementShare>();
   in.thickness = model.thickness;
   in.layers = static_cast<Index>(layers_);
   deeper_exist_ = update_contact_surface(in, scratch_, surface_);

@@ -37,6 +37,7 @@ class ContactLists {
 
  private:
   ReleasedFaces<D> faces(const Model<D>& model) const;
+  void list_free_facets(const Model<D>& model);
   bool pressed(Model<D>& model, const Clock& clock);
   bool far(Model<D>& model, const Clock& clock, const ContactWay& now);
   bool deepen();
@@ -61,6 +62,7 @@ class ContactLists {
   std::int64_t layers_ = 2, splits_ = 0, surface_splits_ = 0, releases_ = 0;
   std::int64_t seen_releases_ = 0, patience_ = 0;  ///< last step in which open faces may wait
   std::int64_t last_look_ = 0, next_look_ = 0;
+  std::int64_t changes_ = 0;  ///< of Model::surface_changes that the surface knows
   bool deeper_exist_ = false, jumped_ = false;
 };
 

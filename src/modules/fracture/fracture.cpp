@@ -78,6 +78,7 @@ void Fracture<D>::resume(Model<D>& model) {
   // A checkpoint holds neither the stiffness of the nodes nor the lists; the next forces make them.
   Kokkos::deep_copy(insertion_.touched(), std::uint8_t{1});
   lists_are_stale_ = true;
+  changes_seen_ = model.surface_changes;
 }
 
 /// What the topology says about faces, on the device.
@@ -113,6 +114,7 @@ void Fracture<D>::enlist(Model<D>& model, Plan& plan) {
       .template writing<InterfaceForce<D>, InterfaceStates<D>, FaceStatus>();
   plan.add(Stage::split, "fracture::split", key(),
            [this, &model](const Clock&) {
+             if (changes_seen_ != model.surface_changes) open_rims(model);
              const Index found = insertion_.check(model);
              if (found > 0) join(model, found);
            })
@@ -157,6 +159,14 @@ void Fracture<D>::join(const Model<D>& model, Index found) {
     lists_.renew(model, insertion_.families(), insertion_.family_count());
   else
     book_forces(model);
+}
+
+/// Nodes at the rim of what was excavated come apart where only that held them together.
+template <int D>
+void Fracture<D>::open_rims(Model<D>& model) {
+  changes_seen_ = model.surface_changes;
+  insertion_.split_rims(model);
+  if (lists_.size() > 0) lists_.renew(model, insertion_.families(), insertion_.family_count());
 }
 
 template <int D>

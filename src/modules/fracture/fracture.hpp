@@ -40,15 +40,17 @@ class Fracture final : public Module<D> {
   void book_forces(const Model<D>& model) const;
   void rebuild(const Model<D>& model);
   void join(const Model<D>& model, Index found);
+  void open_rims(Model<D>& model);
   void collect_breaks(Model<D>& model, const Clock& clock);
   InterfaceSums sums(const Model<D>& model) const;
 
   InterfaceLaws laws_;
   Array<std::uint8_t> z_curve_;  ///< per law
   bool contact_follows_ = false;
-  bool lists_are_stale_ = true;  ///< not made yet for this state
-  Index leaving_ = 0;            ///< interfaces whose last force acts in this step
-  Index breakable_ = 0;          ///< faces that have a law
+  std::int64_t changes_seen_ = 0;  ///< of Model::surface_changes
+  bool lists_are_stale_ = true;    ///< not made yet for this state
+  Index leaving_ = 0;              ///< interfaces whose last force acts in this step
+  Index breakable_ = 0;            ///< faces that have a law
   std::int64_t released_ = 0;
   Insertion<D> insertion_;
   InterfaceLists<D> lists_;

@@ -189,6 +189,24 @@ void Insertion<D>::split(Model<D>& model) {
 }
 
 template <int D>
+void Insertion<D>::split_rims(Model<D>& model) {
+  const Store& s = model.store;
+  const FaceMap<D> faces = face_map<D>(s);
+  const Array<std::uint8_t> status = s.get<FaceStatus>(), touched = touched_;
+  const Array<Index> family = s.get<NodeFamily>();
+  const ConstConnectivity<D> nodes = s.get<ElementNodes<D>>();
+  for_each(
+      "breccia::fracture::rims", s.count(Entity::face), KOKKOS_LAMBDA(Index f) {
+        if (status(f) != face_status::cut) return;
+        for (int c = 0; c < D; ++c) {
+          const auto at = faces.left(f, c);
+          raise(touched, family(nodes(at.element, at.node)));
+        }
+      });
+  split(model);
+}
+
+template <int D>
 void Insertion<D>::balance(const Model<D>& model, const Stars<D>& stars) const {
   const Store& s = model.store;
   StarBalanceIn<D> in;

@@ -21,6 +21,9 @@ class Insertion {
   /// it is zero.
   Index check(Model<D>& model);
 
+  /// Splits the nodes at faces that joined what is excavated to the rest.
+  void split_rims(Model<D>& model);
+
   /// Flags of families whose interfaces have changed; `renew_stiffness` looks at these and clears
   /// them.
   const Array<std::uint8_t>& touched() const { return touched_; }

@@ -150,13 +150,19 @@ InterfaceLaws read_interface_laws(const Settings& scene, const std::vector<Mater
 template <int D>
 std::vector<Index> law_of_faces(const InterfaceLaws& laws, const Model<D>& model) {
   const auto composite = composite_of_elements(model.mesh);
+  // What is taken out does not break, and neither does what it hangs on by.
+  std::vector<std::uint8_t> taken(model.mesh.element.size(), 0);
+  for (const Block& block : model.blocks)
+    if (block.excavation != kNone)
+      std::fill(taken.begin() + block.begin, taken.begin() + block.end, std::uint8_t{1});
   std::vector<Index> law;
   law.reserve(model.topology.shared.size());
   for (const SharedFace& face : model.topology.shared) {
     const bool inside = composite[face.left] == composite[face.right];
-    law.push_back(inside ? kNone
-                         : laws.between(model.body_material[model.mesh.body[face.left]],
-                                        model.body_material[model.mesh.body[face.right]]));
+    law.push_back(inside || taken[face.left] || taken[face.right]
+                      ? kNone
+                      : laws.between(model.body_material[model.mesh.body[face.left]],
+                                     model.body_material[model.mesh.body[face.right]]));
   }
   return law;
 }

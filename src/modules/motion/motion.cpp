@@ -9,7 +9,8 @@
 
 namespace breccia {
 
-static_assert(kWorks == kForceClasses);
+// The last class is no force: the nodes do not book it.
+static_assert(kWorks + 1 == kForceClasses);
 
 template <int D>
 void Motion<D>::declare(Model<D>& model) {
@@ -202,6 +203,7 @@ StableStep Motion<D>::stable(const Model<D>& model, const Array<double>& stiffne
   in.corner_list = s.get<CornerList>();
   in.mass = s.get<NodeMass>();
   in.stiffness = stiffness;
+  in.share = s.get_or_empty<ElementShare>();
   in.thickness = model.thickness;
   in.factor_bulk = factors.bulk;
   in.factor_springs = factors.springs;
@@ -235,6 +237,9 @@ void Motion<D>::book_before(const Model<D>& model, Ledger& ledger) {
   Kokkos::deep_copy(s.get<NodeVelocityBefore<D>>(), s.get<NodeVelocity<D>>());
   const Sums<kWorks> work = works(model);
   for (int k = 0; k < kWorks; ++k) ledger.work_middle[k] = work[k];
+  // Mass leaves before the kick, so all of it counts at t^n.
+  constexpr int kLeft = static_cast<int>(ForceClass::excavation);
+  ledger.work_middle[kLeft] = ledger.work[kLeft] = -model.left_with_mass;
 }
 
 template <int D>

@@ -16,7 +16,7 @@ constexpr std::int64_t kLook = 20;
 /// Kinetic over stored energy at rest (ALGORITHMS ).
 constexpr double kMotion = 1e-6;
 
-/// When the last ramp or table of the scene has ended, s.
+/// When the last ramp, table or excavation of the scene has ended, s.
 double end_of_ramps(const Settings& scene) {
   double end = 0;
   const auto take = [&end](const Settings& section) {
@@ -25,6 +25,8 @@ double end_of_ramps(const Settings& scene) {
   };
   if (scene.has("gravity")) take(scene.at("gravity"));
   for (const Settings& boundary : scene.list("boundary")) take(boundary);
+  for (const Settings& excavation : scene.list("excavate"))
+    end = std::max(end, excavation.number("at") + excavation.number("release"));
   return end;
 }
 

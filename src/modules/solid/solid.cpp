@@ -94,6 +94,7 @@ void Solid<D>::declare(Model<D>& model) {
   if (memory) s.add<ElementElastic<D>>(key());
   if (memory) s.add<ElementHistory>(key());
   if (modulus) s.add<ElementModulus>(key());
+  model.stored_in = [this, &model](std::size_t block) { return stored(model, block); };
 }
 
 template <int D>
@@ -211,6 +212,7 @@ void Solid<D>::forces(Model<D>& model, const Clock& clock) {
   const Store& s = model.store;
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const Block& block = model.blocks[b];
+    if (model.gone(block)) continue;
     const Material& material = model.materials[block.material];
     const ElementForceIn<D> in = input(model, block, clock);
     const ElementForceOut<D> out{
@@ -262,16 +264,23 @@ void Solid<D>::stop_at(Model<D>& model, Index element, const Clock& clock) const
 }
 
 template <int D>
+double Solid<D>::stored(const Model<D>& model, std::size_t b) const {
+  const Block& block = model.blocks[b];
+  if (model.gone(block)) return 0;
+  return remembers(model, block) || model.materials[block.material].stiffness
+             ? total_of(sums_[b])[element_sum::stored]
+             : strain_energy(stress_of(model), block.begin, block.end, block.group);
+}
+
+template <int D>
 void Solid<D>::book(Model<D>& model, Ledger& ledger) const {
-  double stored = 0, viscous = 0, plastic = 0, shock = 0;
+  double elastic = 0, viscous = 0, plastic = 0, shock = 0;
   bool damped = false, yields = false, shocked = false;
   for (std::size_t b = 0; b < sums_.size(); ++b) {
     const Block& block = model.blocks[b];
     const Material& material = model.materials[block.material];
     const Sums<element_sum::count> sums = total_of(sums_[b]);
-    stored += remembers(model, block) || material.stiffness
-                  ? sums[element_sum::stored]
-                  : strain_energy(stress_of(model), block.begin, block.end, block.group);
+    elastic += stored(model, b);
     damped = damped || material.damping > 0;
     viscous += sums[element_sum::viscous];
     // With an equation of state the heat of flow and of shocks is in the stored energy.
@@ -281,7 +290,7 @@ void Solid<D>::book(Model<D>& model, Ledger& ledger) const {
     shocked = shocked || material.viscosity.on();
     shock += sums[element_sum::shock];
   }
-  ledger.add("IE_elastic", EnergyKind::stored, stored);
+  ledger.add("IE_elastic", EnergyKind::stored, elastic);
   if (damped) ledger.add("D_viscous", EnergyKind::dissipated, viscous);
   if (yields) ledger.add("D_plastic", EnergyKind::dissipated, plastic);
   if (shocked) ledger.add("D_bulkq", EnergyKind::dissipated, shock);

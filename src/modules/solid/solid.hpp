@@ -25,6 +25,7 @@ class Solid final : public Module<D> {
   AnisotropicState<D> anisotropic_state(const Model<D>& model, const Material& material) const;
   ElementForceIn<D> input(const Model<D>& model, const Block& block, const Clock& clock) const;
   void forces(Model<D>& model, const Clock& clock);
+  double stored(const Model<D>& model, std::size_t block) const;
   void draw_history(const Model<D>& model, Picture& picture) const;
   void stop_at(Model<D>& model, Index element, const Clock& clock) const;
 
