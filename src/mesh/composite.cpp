@@ -83,6 +83,7 @@ class Refiner {
     straighten_where_needed();
     place_points();
     for (Index e = 0; e < from_.elements(); ++e) cut(e);
+    to_.fields = fields_of(from_.fields, whole_);
     for (const Region& region : from_.regions) refine(region);
     to_.body_names = from_.body_names;
     to_.group_size.assign(group_size.begin(), group_size.end());
@@ -184,7 +185,10 @@ class Refiner {
   void cut(Index e) {
     first_.push_back(to_.elements());
     const int pieces = group(e);
-    for (int sub = 0; sub < pieces; ++sub) to_.body.push_back(from_.body[e]);
+    for (int sub = 0; sub < pieces; ++sub) {
+      to_.body.push_back(from_.body[e]);
+      whole_.push_back(e);
+    }
     if (pieces == 1) {
       to_.element.push_back(vertices_[e]);
       return;
@@ -262,6 +266,7 @@ class Refiner {
   std::vector<Edge> edges_;                         ///< of composites, sorted
   std::vector<std::array<Index, D + 1>> vertices_;  ///< of each element, turned
   std::vector<Index> first_;                        ///< first piece of each element
+  std::vector<Index> whole_;                        ///< element of each piece
   Mesh<D> to_;
 };
 

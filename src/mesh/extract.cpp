@@ -76,14 +76,17 @@ Part<D> cut_out(const Mesh<D>& from, const std::vector<Index>& owner) {
     part.point[p] = part.mesh.points();
     part.mesh.point.push_back(from.point[p]);
   }
+  std::vector<Index> kept;
   for (Index e = 0; e < from.elements(); ++e) {
     if (owner[e] == kNone) continue;
+    kept.push_back(e);
     auto nodes = from.element[e];
     for (Index& p : nodes) p = part.point[p];
     part.element[e] = part.mesh.elements();
     part.mesh.element.push_back(nodes);
     part.mesh.body.push_back(owner[e]);
   }
+  part.mesh.fields = fields_of(from.fields, kept);
   for (const auto& [edge, middle] : from.curved) {
     const Index a = part.point[edge[0]], b = part.point[edge[1]];
     if (a != kNone && b != kNone) part.mesh.curved[edge_of(a, b)] = middle;

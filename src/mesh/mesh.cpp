@@ -3,6 +3,7 @@
 #include "mesh/refusal.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace breccia {
@@ -21,6 +22,46 @@ Index find_body(const Mesh<D>& mesh, const std::string& name) {
   if (found == mesh.body_names.end()) return kNone;
   return static_cast<Index>(found - mesh.body_names.begin());
 }
+
+ElementFields fields_of(const ElementFields& fields, std::span<const Index> old) {
+  ElementFields result;
+  for (const auto& [name, field] : fields) {
+    ElementField& out = result[name];
+    out.components = field.components;
+    const auto n = static_cast<std::size_t>(field.components);
+    out.values.assign(old.size() * n, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t e = 0; e < old.size(); ++e) {
+      if (old[e] == kNone) continue;
+      std::copy_n(
+          field.values.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(old[e]) * n),
+          n, out.values.begin() + static_cast<std::ptrdiff_t>(e * n));
+    }
+  }
+  return result;
+}
+
+namespace {
+
+/// Fields of `more` behind those of the `count` elements that are there.
+void append(ElementFields& fields, Index count, const ElementFields& more, Index added) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& [name, field] : more) {
+    const auto [place, fresh] = fields.try_emplace(name, ElementField{field.components, {}});
+    ElementField& mine = place->second;
+    if (mine.components != field.components) {
+      refuse("field \"" + name + "\"",
+             "it has " + std::to_string(mine.components) + " components in one mesh file and " +
+                 std::to_string(field.components) + " in another",
+             "rename one of the two");
+    }
+    if (fresh) mine.values.assign(static_cast<std::size_t>(count) * mine.components, nan);
+    mine.values.insert(mine.values.end(), field.values.begin(), field.values.end());
+  }
+  for (auto& [name, field] : fields)
+    field.values.resize(static_cast<std::size_t>(count + added) * field.components, nan);
+}
+
+}  // namespace
 
 template <int D>
 void append(Mesh<D>& mesh, const Mesh<D>& more) {
@@ -42,6 +83,7 @@ void append(Mesh<D>& mesh, const Mesh<D>& more) {
     for (Index& p : nodes) p += first_point;
     mesh.element.push_back(nodes);
   }
+  append(mesh.fields, first_element, more.fields, more.elements());
   for (Index b : more.body) mesh.body.push_back(b + first_body);
   for (const auto& [edge, middle] : more.curved) {
     mesh.curved[{edge[0] + first_point, edge[1] + first_point}] = middle;

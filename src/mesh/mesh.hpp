@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,16 @@ struct Region {
   std::vector<Index> points;
 };
 
+/// Numbers that a mesh file gives to its elements ($ElementData of Gmsh).
+struct ElementField {
+  int components = 1;
+  std::vector<double> values;  ///< components of each element; NaN: the file gives none
+};
+using ElementFields = std::map<std::string, ElementField>;
+
+/// The fields of elements that were numbers `old` before, in this order; kNone: without values.
+ElementFields fields_of(const ElementFields& fields, std::span<const Index> old);
+
 /// All bodies of a scene as one simplex mesh on the host. Bodies that are not parts of one another
 /// share no point. Elements are positively oriented once `validate` has passed.
 template <int D>
@@ -57,6 +68,8 @@ struct Mesh {
   /// Per body, after refinement to composites: elements of each composite (1: simple). Those of one
   /// composite are contiguous. Empty: all elements are simple.
   std::vector<int> group_size = {};
+  /// By name, from mesh files; the parts of a composite have those of the whole.
+  ElementFields fields = {};
 
   Index points() const { return static_cast<Index>(point.size()); }
   Index elements() const { return static_cast<Index>(element.size()); }
@@ -72,7 +85,7 @@ template <int D>
 Index find_body(const Mesh<D>& mesh, const std::string& name);
 
 /// Joins meshes without merging points; body and region names must be unique across them.
-/// Throws Error naming the repeated body or region.
+/// Throws Error naming the repeated body or region, or the field whose numbers of components differ.
 template <int D>
 void append(Mesh<D>& mesh, const Mesh<D>& more);
 

@@ -3,6 +3,7 @@
 #include "mesh/refusal.hpp"
 #include "mesh/text_scanner.hpp"
 
+#include <cmath>
 #include <limits>
 #include <map>
 #include <unordered_map>
@@ -35,6 +36,9 @@ class MshReader {
         if (!nodes) in_.fail("$Elements comes before $Nodes");
         version_ < 4 ? read_elements2() : read_elements4();
         elements = true;
+      } else if (section == "$ElementData") {
+        if (!elements) in_.fail("$ElementData comes before $Elements");
+        read_field();
       }
       in_.skip_past("$End" + section.substr(1));
     }
@@ -118,7 +122,7 @@ class MshReader {
     return found->second;
   }
 
-  Index add_element(const GmshType& type) {
+  Index add_element(long long tag, const GmshType& type) {
     RawElement element{type.dimension, {}};
     for (int a = 0; a <= type.dimension; ++a) element.point[a] = node();
     for (int m = 0; m < type.middles; ++m) {
@@ -126,6 +130,7 @@ class MshReader {
       add_middle(raw_, element.point[a], element.point[b], node(), in_.path());
     }
     raw_.element.push_back(element);
+    tags_.push_back(tag);
     return static_cast<Index>(raw_.element.size() - 1);
   }
 
@@ -139,7 +144,7 @@ class MshReader {
   void read_elements2() {
     const long long count = in_.integer(1, kMost, "number of elements");
     for (long long n = 0; n < count; ++n) {
-      in_.integer();  // tag
+      const long long number = in_.integer();
       const GmshType type = element_type();
       const long long tags = in_.integer(0, 1000, "number of tags");
       long long group = 0;
@@ -147,7 +152,7 @@ class MshReader {
         const long long tag = in_.integer();
         if (t == 0) group = std::abs(tag);
       }
-      const Index e = add_element(type);
+      const Index e = add_element(number, type);
       if (group != 0) groups_[{type.dimension, group}].push_back(e);
     }
   }
@@ -162,12 +167,53 @@ class MshReader {
       const long long count = in_.integer(0, kMost, "number of elements");
       const auto found = physical_.find({type.dimension, entity});
       for (long long n = 0; n < count; ++n) {
-        in_.integer();  // tag
-        const Index e = add_element(type);
+        const long long number = in_.integer();
+        const Index e = add_element(number, type);
         if (found == physical_.end()) continue;
         for (long long group : found->second) groups_[{type.dimension, group}].push_back(e);
       }
     }
+  }
+
+  /// The first text is the name; of the integers the second is the number of components, the third
+  /// that of the elements.
+  void read_field() {
+    std::string name;
+    const long long texts = in_.integer(1, 1000, "number of texts");
+    for (long long i = 0; i < texts; ++i) {
+      const std::string text(in_.word());
+      if (i == 0) name = text;
+    }
+    const long long reals = in_.integer(0, 1000, "number of reals");
+    for (long long i = 0; i < reals; ++i) in_.number();
+    const long long integers = in_.integer(3, 1000, "number of integers");
+    in_.integer();  // time step
+    const auto components = static_cast<int>(in_.integer(1, 9, "number of components"));
+    const long long count = in_.integer(0, kMost, "number of elements");
+    for (long long i = 3; i < integers; ++i) in_.integer();
+    const auto n = static_cast<std::size_t>(components);
+    const auto [place, fresh] = raw_.fields.try_emplace(name, ElementField{components, {}});
+    if (!fresh) in_.fail("the field \"" + name + "\" is given twice");
+    auto& values = place->second.values;
+    values.assign(raw_.element.size() * n, std::numeric_limits<double>::quiet_NaN());
+    for (long long i = 0; i < count; ++i) {
+      const std::size_t at = element_of(in_.integer()) * n;
+      if (!std::isnan(values[at])) in_.fail("the field has two values for this element");
+      for (std::size_t c = 0; c < n; ++c) {
+        values[at + c] = in_.number();
+        if (!std::isfinite(values[at + c])) in_.fail("the value is no finite number");
+      }
+    }
+  }
+
+  std::size_t element_of(long long tag) {
+    if (element_.empty())
+      for (std::size_t e = 0; e < tags_.size(); ++e) element_.emplace(tags_[e], e);
+    const auto found = element_.find(tag);
+    if (found == element_.end())
+      in_.fail("the field has a value for element " + std::to_string(tag) +
+               ", which does not exist");
+    return found->second;
   }
 
   void finish_groups() {
@@ -183,6 +229,8 @@ class MshReader {
   double version_ = 0;
   RawMesh raw_;
   std::unordered_map<long long, Index> number_;
+  std::vector<long long> tags_;  // of the elements
+  std::unordered_map<long long, std::size_t> element_;
   std::map<Key, std::string> names_;
   std::map<Key, std::vector<long long>> physical_;
   std::map<Key, std::vector<Index>> groups_;

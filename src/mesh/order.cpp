@@ -114,6 +114,7 @@ Mesh<D> reordered(const Mesh<D>& mesh, const Ordering& ordering) {
   Mesh<D> result;
   result.body_names = mesh.body_names;
   result.group_size = mesh.group_size;
+  result.fields = fields_of(mesh.fields, ordering.element);
   for (const auto& [edge, middle] : mesh.curved) {
     result.curved[edge_of(new_point[edge[0]], new_point[edge[1]])] = middle;
   }

@@ -202,6 +202,7 @@ Mesh<D> to_mesh(const RawMesh& raw, const std::string& source) {
   Kept kept;
   keep_points(raw, source, kept, mesh);
   const auto first = first_copies(raw, D);
+  std::vector<Index> from;
   kept.element.assign(raw.element.size(), kNone);
   for (std::size_t e = 0; e < raw.element.size(); ++e) {
     if (raw.element[e].dimension != D) continue;
@@ -213,7 +214,9 @@ Mesh<D> to_mesh(const RawMesh& raw, const std::string& source) {
     std::array<Index, D + 1> nodes;
     for (int a = 0; a <= D; ++a) nodes[a] = kept.point[raw.element[e].point[a]];
     mesh.element.push_back(nodes);
+    from.push_back(static_cast<Index>(e));
   }
+  mesh.fields = fields_of(raw.fields, from);
   if (mesh.element.empty()) {
     refuse(source, D == 2 ? "it has no triangles" : "it has no tetrahedra",
            "mesh the geometry with simplices of dimension " + std::to_string(D));

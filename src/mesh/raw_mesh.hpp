@@ -28,6 +28,7 @@ struct RawMesh {
   std::vector<RawElement> element;
   std::vector<RawGroup> groups;
   std::map<Edge, Index> middle;  ///< mid-edge nodes of second-order elements
+  ElementFields fields;          ///< of all elements, in this order
 };
 
 /// Notes the mid-edge node of an edge. Throws Error at `source` when the edge has another one.
@@ -50,7 +51,8 @@ inline constexpr const char* kTypesTaken =
 /// The elements of dimension D as a mesh of one body named "file", with every group as a region of
 /// its own name. Points that only lower elements use are dropped (Gmsh keeps the centres of
 /// circles). Mid-edge nodes become `curved` where they are off the middle by more than rounding.
-/// Elements repeated for a second group, as MSH 2 writes them, count once. `source` names
+/// Elements repeated for a second group, as MSH 2 writes them, count once, with the fields of the
+/// first. `source` names
 /// the place of errors: no elements of dimension D, a plane mesh with points off the plane z = 0,
 /// points that no element uses, two groups with one name.
 template <int D>

@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <optional>
 
 namespace breccia {
 
@@ -91,6 +93,77 @@ Surface surface_of(const Settings& section, const Mesh<3>& mesh) {
   return s;
 }
 
+/// A field of the mesh files as directions: in the plane an angle in degrees (1 component) or the
+/// first axis (3), in space the third axis (3) or all three one after the other (9).
+template <int D>
+class Seeds {
+ public:
+  Seeds(const Settings& section, const Mesh<D>& mesh) : section_(&section), mesh_(&mesh) {
+    const std::string& name = section.text("field");
+    const auto found = mesh.fields.find(name);
+    if (found == mesh.fields.end()) {
+      std::string known;
+      for (const auto& [other, field] : mesh.fields) known += (known.empty() ? "" : ", ") + other;
+      throw section.error(
+          "field", "no mesh file has a field \"" + name + "\" of elements",
+          known.empty() ? "ASCII .msh files carry them as $ElementData" : "there are: " + known);
+    }
+    field_ = &found->second;
+    const int n = field_->components;
+    if (n == 3 || n == (D == 2 ? 1 : 9)) return;
+    throw section.error(
+        "field", fmt::format("\"{}\" has {} components", name, n),
+        D == 2 ? "1 is an angle in degrees from x towards y, 3 are the direction of the first axis"
+               : "3 are the direction of the third axis, 9 those of all three");
+  }
+
+  Mat<D> at(Index element, const Vec<3>& first) const {
+    const double* v = &field_->values[static_cast<std::size_t>(element) * field_->components];
+    if (std::isnan(v[0])) fail(element, "has no value", "give one to every element there");
+    if constexpr (D == 2) {
+      const double angle =
+          field_->components == 1 ? v[0] * std::numbers::pi / 180 : std::atan2(v[1], v[0]);
+      if (field_->components == 3 && !(std::hypot(v[0], v[1]) > 0))
+        fail(element, "has no direction in the plane: its x and y are zero", kTurnSomewhere);
+      return {{{std::cos(angle), -std::sin(angle)}, {std::sin(angle), std::cos(angle)}}};
+    } else {
+      if (field_->components == 3) {
+        const Vec<3> normal{{v[0], v[1], v[2]}};
+        if (!(norm(normal) > 0)) fail(element, "has a direction of length zero", kTurnSomewhere);
+        return axes_across(normal, first);
+      }
+      return three_axes(element, v);
+    }
+  }
+
+ private:
+  static constexpr const char* kTurnSomewhere = "give a direction, of any length";
+
+  Mat<3> three_axes(Index element, const double* v) const {
+    const Vec<3> a{{v[0], v[1], v[2]}}, b{{v[3], v[4], v[5]}}, c{{v[6], v[7], v[8]}};
+    const double size = norm(a) * norm(b) * norm(c);
+    // Of right-handed axes at right angles the volume is the product of the lengths; a thousandth
+    // less is two and a half degrees.
+    if (!(dot(cross(a, b), c) > 0.999 * size) || !(size > 0))
+      fail(element, "has three directions that are no right-handed axes at right angles",
+           "give the first, the second and the third axis one after the other");
+    return axes_across(c, a);
+  }
+
+  [[noreturn]] void fail(Index element, const std::string& cause, const char* remedy) const {
+    const auto x = centroid(*mesh_, element, 1);
+    throw section_->error(
+        "field",
+        fmt::format("in \"{}\" the element at ({:g}, {:g}{}) {}", section_->text("field"), x[0],
+                    x[1], D == 3 ? fmt::format(", {:g}", x[D - 1]) : "", cause),
+        remedy);
+  }
+
+  const Settings* section_;
+  const Mesh<D>* mesh_;
+  const ElementField* field_ = nullptr;
+};
+
 /// How one section turns the axes at a place.
 template <int D>
 class Turn {
@@ -100,16 +173,20 @@ class Turn {
       if (section.has("surface")) surface_ = surface_of(section, mesh);
     if (section.has("along") && section.points("along").size() < 2)
       throw section.error("along", "a line has two points or more");
+    if (section.has("field")) seeds_.emplace(section, mesh);
   }
 
-  Mat<D> at(const Vec<D>& x) const {
+  /// Axes of an element whose centroid, or that of its composite, is at x.
+  Mat<D> at(Index element, const Vec<D>& x) const {
     const Settings& s = *section_;
     if constexpr (D == 2) {
+      if (seeds_) return seeds_->at(element, Vec<3>::zero());
       if (s.has("along")) return axes_along(s.points("along"), x);
       const double a = s.number("angle");
       return {{{std::cos(a), -std::sin(a)}, {std::sin(a), std::cos(a)}}};
     } else {
       const Vec<3> first = s.has("first") ? direction(s, "first") : Vec<3>{{1, 0, 0}};
+      if (seeds_) return seeds_->at(element, first);
       if (s.has("normal")) return axes_across(direction(s, "normal"), first);
       std::size_t nearest = 0;
       for (std::size_t i = 1; i < surface_.middle.size(); ++i)
@@ -121,6 +198,7 @@ class Turn {
  private:
   const Settings* section_;
   Surface surface_;
+  std::optional<Seeds<D>> seeds_;
 };
 
 }  // namespace
@@ -148,7 +226,14 @@ void declare_axes(Schema& schema) {
       .only_in(3)
       .doc("The first axis, as near to it as the third allows; x if absent.")
       .example("[1, 0, 0]");
-  s.exactly_one_of({"angle", "along", "normal", "surface"});
+  s.text("field")
+      .doc(
+          "A field of the elements in the bodies' .msh files ($ElementData). In 2D 1 component is "
+          "the "
+          "angle of the first axis in degrees, 3 are its direction; in 3D 3 components are the "
+          "direction of the third axis, 9 those of all three.")
+      .example("bedding");
+  s.exactly_one_of({"angle", "along", "normal", "surface", "field"});
 }
 
 template <int D>
@@ -176,7 +261,7 @@ std::vector<Mat<D>> material_axes(const Settings& scene, const Model<D>& model) 
           throw section.error(section.has("where") ? "where" : "",
                               fmt::format("element {} has axes already", first),
                               "see the [[axes]] at " + by[at]->place());
-        const Mat<D> turned = turn.at(centroid(model.mesh, first, block.group));
+        const Mat<D> turned = turn.at(first, centroid(model.mesh, first, block.group));
         for (std::size_t e = at; e < at + static_cast<std::size_t>(block.group); ++e) {
           axes[e] = turned;
           by[e] = &section;
