@@ -85,7 +85,7 @@ template <int D>
 Index find_body(const Mesh<D>& mesh, const std::string& name);
 
 /// Joins meshes without merging points; body and region names must be unique across them.
-/// Throws Error naming the repeated body or region, or the field whose numbers of components differ.
+/// Throws Error naming the repeated body or region, or the field of two numbers of components.
 template <int D>
 void append(Mesh<D>& mesh, const Mesh<D>& more);
 
