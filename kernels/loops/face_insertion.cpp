@@ -24,7 +24,7 @@ struct InsertionLoop {
       x[c] = face_point(in.faces, in.element_nodes, in.reference, face, 0, c);
     const double area = norm(area_vector(x)) * in.shape.thickness;
     const double height = (in.shape.volume(left) + in.shape.volume(right)) / (2 * area);
-    const Index law = in.law_of(ml * in.materials + mr);
+    const Index law = in.law_of(face);
     const InterfaceLaw& l = in.laws(law);
     out.record(i) = {face, law, area,
                      springs_of(in.side(ml), in.side(mr), height, l.stiffness_factor, l.damping)};

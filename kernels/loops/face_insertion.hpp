@@ -9,12 +9,11 @@ template <int D>
 struct FaceInsertionIn {
   FaceMap<D> faces;
   ConstConnectivity<D> element_nodes;
-  ConstVectors<D> reference;       ///< m, of nodes
-  ConstArray<Index> family;        ///< of nodes
-  ElementStress<D> shape;          ///< volumes and materials
-  ConstArray<InterfaceSide> side;  ///< per material
-  ConstArray<Index> law_of;        ///< at left material * materials + right material
-  Index materials;
+  ConstVectors<D> reference;         ///< m, of nodes
+  ConstArray<Index> family;          ///< of nodes
+  ElementStress<D> shape;            ///< volumes and materials
+  ConstArray<InterfaceSide> side;    ///< per material
+  ConstArray<std::uint16_t> law_of;  ///< law of each face that has one
   ConstArray<InterfaceLaw> laws;
   ConstArray<Index> list;
   Index first;

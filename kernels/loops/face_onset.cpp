@@ -12,9 +12,7 @@ constexpr std::uint8_t kBonded = 0, kInserted = 1;  // fields/common_fields.hpp
 template <int D>
 KOKKOS_FUNCTION
 const CohesiveOnset& onset_of(const FaceOnsetIn<D>& in, Index face) {
-  const Index left = in.faces.elements(face, 0), right = in.faces.elements(face, 1);
-  return in.laws(in.law_of(in.stress.material(left) * in.materials + in.stress.material(right)))
-      .onset;
+  return in.laws(in.law_of(face)).onset;
 }
 
 template <int D>

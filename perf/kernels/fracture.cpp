@@ -116,18 +116,18 @@ void onset_check(benchmark::State& state) {
   const Index n = model.elements(), room = n * (D + 1);
   const Array<Index> hot("breccia::perf::hot", n), found("breccia::perf::found", room);
   const Array<std::uint8_t> mark("breccia::perf::mark", room);
-  const FaceOnsetIn<D> in{face_map<D>(s),
-                          s.get<FaceStatus>(),
-                          stress_of(model),
-                          s.get<ElementHot>(),
-                          to_device("breccia::perf::law_of", laws.of_materials),
-                          laws.materials,
-                          to_device("breccia::perf::laws", laws.laws),
-                          s.get<NodeFamily>(),
-                          s.get<FaceInterface>(),
-                          s.get<InterfaceActive<D>>(),
-                          Array<std::uint8_t>("breccia::perf::strained",
-                                              static_cast<std::size_t>(model.mesh.points()))};
+  const FaceOnsetIn<D> in{
+      face_map<D>(s),
+      s.get<FaceStatus>(),
+      stress_of(model),
+      s.get<ElementHot>(),
+      Array<std::uint16_t>("breccia::perf::law_of", model.topology.shared.size()),
+      to_device("breccia::perf::laws", laws.laws),
+      s.get<NodeFamily>(),
+      s.get<FaceInterface>(),
+      s.get<InterfaceActive<D>>(),
+      Array<std::uint8_t>("breccia::perf::strained",
+                          static_cast<std::size_t>(model.mesh.points()))};
   Kokkos::deep_copy(s.get<ElementHot>(), std::uint8_t{1});
   for_each(
       "breccia::perf::all", n, KOKKOS_LAMBDA(Index e) { hot(e) = e; });

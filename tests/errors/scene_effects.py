@@ -65,6 +65,8 @@ EFFECT_KEYS = [
          at="[fracture.granite]", says=["fracture.granite.cohesion: is missing"]),
     Case("alpha above one", base=EFFECTS, edit=[("= 0.95", "= 1.5")], at="= 1.5",
          says=["fracture.granite.alpha: 1.5 is out of range; allowed: from 0 to 1"]),
+    Case("strengths that scatter too far", base=EFFECTS, edit=[("= 0.95", "= 0.95\nscatter = 0.5")],
+         at="= 0.5", says=["fracture.granite.scatter: 0.5 is out of range; allowed: from 1 to 1000"]),
     Case("negative strength", base=EFFECTS, edit=[('"8 MPa"', '"-8 MPa"')], at="-8",
          says=['"-8 MPa" (-8000000 Pa) is out of range; allowed: at least 0 Pa']),
     Case("fracture energy per volume", base=EFFECTS, edit=[('"50 J/m2"', '"50 J/m3"')],

@@ -4,7 +4,7 @@ namespace breccia {
 
 namespace {
 
-void add_law_keys(SectionBuilder section) {
+void add_strength_keys(SectionBuilder& section) {
   section.number("tensile_strength", unit::pressure)
       .at_least(0)
       .required()
@@ -36,6 +36,16 @@ void add_law_keys(SectionBuilder section) {
       .required()
       .example("500 J/m2")
       .doc("Energy that sliding along a face takes, per area, friction apart.");
+  section.number("scatter", unit::none)
+      .between(1, 1000)
+      .example("8")
+      .doc(
+          "Weibull modulus: tensile_strength and cohesion of each face are their values here times "
+          "one random number of mean 1 (run.seed). All faces are alike if absent.");
+}
+
+void add_law_keys(SectionBuilder section) {
+  add_strength_keys(section);
   section.number("alpha", unit::none)
       .between(0, 1)
       .by_default(0.95)

@@ -28,7 +28,10 @@ template <int D>
 void Insertion<D>::prepare(const Model<D>& model, const InterfaceLaws& laws) {
   table_ = laws;
   laws_ = to_device("breccia::fracture::laws", laws.laws);
-  law_of_ = to_device("breccia::fracture::law_of", laws.of_materials);
+  std::vector<std::uint16_t> law_of;
+  for (const Index law : law_of_faces(laws, model))
+    law_of.push_back(law == kNone ? 0 : static_cast<std::uint16_t>(law));
+  law_of_ = to_device("breccia::fracture::law_of", law_of);
   sides_ = to_device("breccia::fracture::sides", interface_sides(model));
   std::vector<double> density;
   for (const Material& m : model.materials) density.push_back(m.density);
@@ -82,7 +85,6 @@ Index Insertion<D>::check(Model<D>& model) {
                           stress_of(model),
                           s.get<ElementHot>(),
                           law_of_,
-                          table_.materials,
                           laws_,
                           s.get<NodeFamily>(),
                           s.get<FaceInterface>(),
@@ -114,7 +116,6 @@ void Insertion<D>::insert(Model<D>& model, const Array<Index>& faces, Index coun
                               stress_of(model),
                               sides_,
                               law_of_,
-                              table_.materials,
                               laws_,
                               faces,
                               first};

@@ -44,7 +44,7 @@ class Insertion {
 
   InterfaceLaws table_;
   Array<InterfaceLaw> laws_;
-  Array<Index> law_of_;
+  Array<std::uint16_t> law_of_;  ///< of faces
   Array<InterfaceSide> sides_;
   Array<double> density_;
   Array<Index> hot_, found_, parent_;

@@ -3,6 +3,7 @@
 #include "core/log.hpp"
 #include "mesh/composite.hpp"
 #include "mesh/geometry.hpp"
+#include "modules/fracture/strength_grades.hpp"
 #include "point/cohesive_encode.hpp"
 
 #include <fmt/format.h>
@@ -65,8 +66,17 @@ void put(InterfaceLaws& laws, const Settings& section, const std::string& key, I
         key, "faces between these materials have a law already",
         fmt::format("keep one of this and the one at {}", laws.sections[at(a, b)]->place()));
   at(a, b) = at(b, a) = law;
-  laws.laws.push_back(read_law(section));
-  laws.sections.push_back(&section);
+  const InterfaceLaw mean = read_law(section);
+  const std::vector<double> shares =
+      section.has("scatter") ? strength_grades(section.number("scatter")) : std::vector<double>{1};
+  for (const double share : shares) {
+    InterfaceLaw grade = mean;
+    grade.strength.tension = grade.onset.tension = mean.strength.tension * share;
+    grade.strength.cohesion = grade.onset.cohesion = mean.strength.cohesion * share;
+    laws.laws.push_back(grade);
+    laws.sections.push_back(&section);
+    laws.grades.push_back(static_cast<Index>(shares.size()));
+  }
 }
 
 /// Heights h_f of the faces of a law, m.
@@ -130,6 +140,7 @@ void check_energies(const InterfaceLaw& law, const Settings& section, const Cohe
 InterfaceLaws read_interface_laws(const Settings& scene, const std::vector<Material>& materials) {
   InterfaceLaws laws;
   laws.materials = static_cast<Index>(materials.size());
+  laws.seed = static_cast<int>(scene.at("run").integer("seed"));
   laws.of_materials.assign(materials.size() * materials.size(), kNone);
   for (const Settings& section : scene.children("fracture")) {
     const Index m = require_material(materials, section, "", section.name());
@@ -159,10 +170,13 @@ std::vector<Index> law_of_faces(const InterfaceLaws& laws, const Model<D>& model
   law.reserve(model.topology.shared.size());
   for (const SharedFace& face : model.topology.shared) {
     const bool inside = composite[face.left] == composite[face.right];
-    law.push_back(inside || taken[face.left] || taken[face.right]
-                      ? kNone
-                      : laws.between(model.body_material[model.mesh.body[face.left]],
-                                     model.body_material[model.mesh.body[face.right]]));
+    const bool tied = inside || taken[face.left] || taken[face.right];
+    const Index first = tied ? kNone
+                             : laws.between(model.body_material[model.mesh.body[face.left]],
+                                            model.body_material[model.mesh.body[face.right]]);
+    const Index grades = first == kNone ? 1 : laws.grades[static_cast<std::size_t>(first)];
+    const auto number = static_cast<std::uint64_t>(law.size());
+    law.push_back(grades == 1 ? first : first + grade_of_face(laws.seed, number, grades));
   }
   return law;
 }
@@ -184,6 +198,7 @@ void check_interface_laws(const InterfaceLaws& laws, const Model<D>& model) {
     const Heights& h = heights[i];
     const InterfaceLaw& law = laws.laws[i];
     const Settings& section = *laws.sections[i];
+    if (h.most == 0 && laws.grades[i] > 1) continue;
     if (h.most == 0) {
       log::warning(fmt::format("{}: {} names faces that the mesh does not have", section.place(),
                                section.path()));
@@ -192,7 +207,8 @@ void check_interface_laws(const InterfaceLaws& laws, const Model<D>& model) {
     const CohesiveSprings k = springs_of(sides[h.material_left], sides[h.material_right], h.most,
                                          law.stiffness_factor, law.damping);
     check_energies(law, section, k, h.most);
-    if (law.strength.tension == 0) continue;
+    const bool strongest = i + 1 == laws.laws.size() || laws.sections[i + 1] != &section;
+    if (law.strength.tension == 0 || !strongest) continue;
     const double young =
         std::min(model.materials[h.material_left].young, model.materials[h.material_right].young);
     const double zone =
@@ -213,7 +229,7 @@ Onset watch_for(const InterfaceLaws& laws, Index material) {
   std::vector<const InterfaceLaw*> list;
   double least = 1e300, most = 0;
   for (Index other = 0; other < laws.materials; ++other) {
-    const Index i = laws.between(material, other);
+    const Index i = laws.between(material, other);  // the first grade is the weakest
     if (i == kNone || laws.laws[static_cast<std::size_t>(i)].at_start) continue;
     const InterfaceLaw& law = laws.laws[static_cast<std::size_t>(i)];
     list.push_back(&law);

@@ -11,8 +11,10 @@ namespace breccia {
 struct InterfaceLaws {
   std::vector<InterfaceLaw> laws;
   std::vector<const Settings*> sections;  ///< where each was read
-  std::vector<Index> of_materials;        ///< at left * materials + right; kNone: tied
+  std::vector<Index> grades;              ///< laws of that section: 1, or grades of strength
+  std::vector<Index> of_materials;  ///< the first one, at left * materials + right; kNone: tied
   Index materials = 0;
+  int seed = 0;  ///< of the scene
 
   Index between(Index left, Index right) const {
     return of_materials[static_cast<std::size_t>(left * materials + right)];
