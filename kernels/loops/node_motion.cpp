@@ -148,12 +148,23 @@ struct NodeMotionLoop {
   void hold(Index n, std::uint32_t flags, double m, const Vec<D>& v, const Vec<D>& total,
             Vec<D>& v_new, Vec<D>& reaction) const {
     const auto boundary = static_cast<Index>(flags >> in.boundary_shift);
+    const bool rigid = (flags & in.rigid_bit) != 0;
+    if (rigid) v_new = of_rigid_body(n, boundary);
     for (int d = 0; d < D; ++d) {
       if ((flags & in.fixed_bits & (1u << d)) == 0) continue;
-      v_new[d] = in.boundary_velocity(boundary, d);
+      if (!rigid) v_new[d] = in.boundary_velocity(boundary, d);
       reaction[d] = m * (v_new[d] - v[d]) / in.kick - total[d];
     }
     set_row<D>(out.reaction, n, reaction);
+  }
+
+  KOKKOS_FUNCTION
+  Vec<D> of_rigid_body(Index n, Index body) const {
+    const Vec<D> arm = row<D>(in.reference, n) - row<D>(in.rigid_origin, body);
+    Vec<D> v = row<D>(in.rigid_velocity, body);
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) v[i] += in.rigid_change(body, i, j) * arm[j];
+    return v;
   }
 };
 

@@ -32,6 +32,11 @@ struct NodeMotionIn {
   double dt, kick;           ///< s
   std::uint32_t fixed_bits;  ///< mask of the prescribed components in `flags`
   int boundary_shift;
+  std::uint32_t rigid_bit = 0;  ///< 0 where no body is rigid
+  /// A rigid node moves by dt (velocity + change (X - origin)) with these of its body.
+  ConstVectors<D> rigid_velocity, rigid_origin;
+  ConstMatrices<D> rigid_change;
+  ConstVectors<D> reference;  ///< X, m
 };
 
 template <int D>
@@ -45,8 +50,9 @@ struct NodeMotionOut {
 ///   v += kick f / m,  x += dt v,  dW_k = f_k . (v_old + v_new) / 2 kick.
 /// Local damping adds -resisting |f_d| sign(v_d) in every component that is free.
 /// Boundaries that let waves out resist with -C (v_old + v_new) / 2.
-/// Prescribed components take the boundary's velocity; what holds them is their reaction.
 /// Nodes without mass (excavated) stay where they are.
+/// Prescribed components take the boundary's velocity, nodes of rigid bodies that of their body;
+/// what holds them is their reaction.
 template <int D>
 void node_motion(Index nodes, const NodeMotionIn<D>& in, const NodeMotionOut<D>& out);
 

@@ -1,33 +1,8 @@
 #include "loops/node_rest.hpp"
 
+#include "loops/net_force.hpp"
+
 namespace breccia {
-
-namespace {
-
-template <int D>
-struct NetForce {
-  NodeMotionIn<D> in;
-
-  KOKKOS_FUNCTION
-  Vec<D> operator()(Index n) const {
-    const std::uint32_t flags = in.flags(n);
-    const double added = in.added_mass.extent(0) > 0 ? in.added_mass(n) : 0.0;
-    Vec<D> f = in.gravity * (in.mass(n) - added);
-    for (Index k = in.corners(n, 0); k < in.corners(n, 1); ++k) {
-      const auto at = static_cast<std::ptrdiff_t>(in.corner_list(k)) * D;
-      for (int d = 0; d < D; ++d) f[d] += in.element_force.data()[at + d];
-      for (int c = 0; c < kExtraClasses; ++c) {
-        if ((flags & in.extra_bit[c]) == 0) continue;
-        for (int d = 0; d < D; ++d) f[d] += in.extra[c].data()[at + d];
-      }
-    }
-    for (int d = 0; d < D; ++d)
-      if ((flags & in.fixed_bits & (1u << d)) != 0) f[d] = 0;
-    return f;
-  }
-};
-
-}  // namespace
 
 template <int D>
 NodeBalance node_balance(Index nodes, Index corners, const NodeMotionIn<D>& in,
@@ -38,7 +13,10 @@ NodeBalance node_balance(Index nodes, Index corners, const NodeMotionIn<D>& in,
   Kokkos::parallel_reduce(
       "breccia::rest::net_force", Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, nodes),
       KOKKOS_LAMBDA(Index n, double& most) {
-        const double f = norm(net(n));
+        Vec<D> free = net(n);
+        for (int d = 0; d < D; ++d)
+          if ((net.in.flags(n) & net.in.fixed_bits & (1u << d)) != 0) free[d] = 0;
+        const double f = norm(free);
         if (!(f <= most)) most = f;
       },
       Kokkos::Max<double>(balance.largest));

@@ -3,6 +3,8 @@
 #include "loops/element.hpp"
 #include "point/hencky.hpp"
 
+#include <limits>
+
 namespace breccia {
 
 namespace {
@@ -129,6 +131,8 @@ StableStep stable_step(const StableStepIn<D>& in) {
         }
       },
       Kokkos::MinLoc<double, Index>(least));
+  // Where nothing is elastic, nothing limits the step.
+  if (least.loc >= in.nodes) return {std::numeric_limits<double>::infinity(), 0, false, fastest};
   double s = 0;
   if (springs) {
     const auto one = Kokkos::subview(in.stiffness, std::make_pair(least.loc, least.loc + 1));

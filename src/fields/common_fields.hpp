@@ -55,7 +55,9 @@ inline constexpr std::uint32_t interface = 8;  // has interface corner forces
 inline constexpr std::uint32_t contact = 16;   // may have contact corner forces
 inline constexpr std::uint32_t load = 32;      // has surface loads
 inline constexpr std::uint32_t absorb = 64;    // lies on a boundary that lets waves out
-inline constexpr int boundary_shift = 16;      // number of the prescribed motion in the high bits
+inline constexpr std::uint32_t rigid = 128;    // moves with its body, in all components
+inline constexpr int boundary_shift = 16;      // number of the prescribed motion, or of the rigid
+                                               // body, in the high bits
 }  // namespace node_flag
 
 struct NodeFlags {

@@ -18,6 +18,7 @@ enum class Entity {
   absorber,
   material,
   contact_point,
+  rigid,
   count_
 };
 

@@ -7,6 +7,7 @@
 #include "modules/gravity/gravity.hpp"
 #include "modules/motion/motion.hpp"
 #include "modules/rest/rest.hpp"
+#include "modules/rigid/rigid.hpp"
 #include "modules/sensor/sensor.hpp"
 #include "modules/solid/solid.hpp"
 
@@ -25,6 +26,7 @@ std::vector<std::unique_ptr<Module<D>>> make_modules(const Settings& scene) {
   // In space the schema refuses [contact].
   if constexpr (D == 2)
     if (Contact<2>::wanted(scene)) list.push_back(std::make_unique<Contact<2>>());
+  if (Rigid<D>::wanted(scene)) list.push_back(std::make_unique<Rigid<D>>());
   // Behind all that exert forces: it looks at their sum.
   if (RestModule<D>::wanted(scene)) list.push_back(std::make_unique<RestModule<D>>());
   if (Sensor<D>::wanted(scene)) list.push_back(std::make_unique<Sensor<D>>());
@@ -36,6 +38,7 @@ void declare_module_keys(Schema& schema) {
   declare_contact_keys(schema);
   declare_rest_keys(schema);
   declare_excavation_keys(schema);
+  declare_rigid_keys(schema);
 }
 
 std::vector<EffectState> effects_of(const Settings& scene) {
@@ -46,6 +49,7 @@ std::vector<EffectState> effects_of(const Settings& scene) {
           {"boundary", Boundary<2>::wanted(scene)},
           {"fracture", Fracture<2>::wanted(scene)},
           {"contact", Contact<2>::wanted(scene)},
+          {"rigid", Rigid<2>::wanted(scene)},
           {"rest", RestModule<2>::wanted(scene)},
           {"sensor", Sensor<2>::wanted(scene)}};
 }

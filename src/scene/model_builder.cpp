@@ -25,10 +25,21 @@ constexpr double kNodeRoom = 1.3;
 
 constexpr Index kLargestGroup = 12;
 
+/// The number of a body's material; rigid bodies have one of their own, made when it is asked for.
 template <int D>
-Index material_index(const Model<D>& model, const Settings& body) {
-  for (std::size_t m = 0; m < model.materials.size(); ++m)
-    if (model.materials[m].name == body.text("material")) return static_cast<Index>(m);
+Index material_index(Model<D>& model, const Settings& body) {
+  const auto find = [&](bool rigid) {
+    return std::find_if(model.materials.begin(), model.materials.end(), [&](const Material& m) {
+      return m.name == body.text("material") && m.rigid == rigid;
+    });
+  };
+  const bool rigid = body.flag("rigid");
+  auto found = find(rigid);
+  if (rigid && found == model.materials.end() && find(false) != model.materials.end()) {
+    model.materials.push_back(rigid_material(*find(false)));
+    found = model.materials.end() - 1;
+  }
+  if (found != model.materials.end()) return static_cast<Index>(found - model.materials.begin());
   throw body.error("material", "there is no [material." + body.text("material") + "]");
 }
 

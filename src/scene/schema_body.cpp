@@ -142,6 +142,9 @@ void declare_body_keys(Schema& schema) {
   s.rotation("spin", unit::angular_velocity)
       .doc("Rotation at the start about the body's centre of mass; none if absent.")
       .example("100 rad/s");
+  s.flag("rigid").by_default(false).doc(
+      "true: it does not deform; it moves and turns as a whole, with the mass and inertia of its "
+      "mesh's nodes.");
   declare_shape(schema);
   declare_mesh(schema);
 }

@@ -42,6 +42,18 @@ void declare_box(Schema& schema, const std::string& section, const char* doc) {
       .example("[\"1 mm\", \"50 mm\"]");
 }
 
+/// How a rigid body turns that a boundary moves or holds.
+void declare_turning(SectionBuilder& s) {
+  s.rotation("spin", unit::angular_velocity)
+      .doc(
+          "Of a rigid body that this boundary moves or holds: prescribed rotation about its centre "
+          "of mass, times ramp or table. Without it such a body does not turn.")
+      .example("2 rad/s");
+  s.flag("pivot").doc(
+      "true: a rigid body that this boundary moves or holds turns freely about its centre of "
+      "mass.");
+}
+
 void declare_boundaries(Schema& schema) {
   auto s = schema.section("boundary[]")
                .effect("boundary")
@@ -59,6 +71,7 @@ void declare_boundaries(Schema& schema) {
       .components_may_be("free")
       .doc("Components that do not move (0) and those that may (\"free\").")
       .example("[\"free\", 0]");
+  declare_turning(s);
   s.vector("traction", unit::pressure)
       .doc("Force per reference area on the free faces there.")
       .example("[0, \"-2 MPa\"]");
@@ -96,6 +109,7 @@ void declare_boundaries(Schema& schema) {
   s.exactly_one_of(
       {"velocity", "fixed", "symmetry", "traction", "pressure", "non_reflecting", "held"});
   s.at_most_one_of({"ramp", "table"});
+  s.at_most_one_of({"spin", "pivot"});
   declare_plane(schema, "boundary[]");
   declare_box(schema, "boundary[]", "Nodes and free faces inside a box.");
 }
@@ -164,10 +178,12 @@ void check_kind(const Settings& boundary, Problems& problems) {
   if (boundary.has("input") && !boundary.has("non_reflecting"))
     problems.add(boundary.error("input", "comes in through a non-reflecting boundary only",
                                 "add non_reflecting = true, or prescribe a velocity"));
+  if (boundary.has("pivot") && !boundary.flag("pivot"))
+    problems.add(boundary.error("pivot", "false says nothing", "write true, or leave it out"));
   for (const char* key : {"ramp", "table"})
-    if (boundary.has(key) &&
-        (boundary.has("held") || boundary.has("symmetry") || boundary.has("fixed") ||
-         (boundary.has("non_reflecting") && !boundary.has("input"))))
+    if (boundary.has(key) && (boundary.has("held") || boundary.has("symmetry") ||
+                              (boundary.has("fixed") && !boundary.has("spin")) ||
+                              (boundary.has("non_reflecting") && !boundary.has("input"))))
       problems.add(boundary.error(key, "there is nothing here that could rise"));
   if (!boundary.has("symmetry")) return;
   if (!boundary.has("plane")) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace breccia {
 
@@ -30,6 +31,9 @@ std::int64_t steps_to_next(const StableStep& now, double dt, bool changing) {
 /// inserted in between may be stiffer than the stiffest so far; the factor for springs leaves a
 /// fourfold stiffness for that.
 constexpr std::int64_t kLook = 10;
+
+/// Steps of a run in which nothing limits the step: rigid bodies that rest, far from one another.
+constexpr double kUnlimitedSteps = 1000;
 
 /// Default shares of the stable step (ALGORITHMS ): less where springs with kinks act.
 constexpr double kFactorBulk = 0.9;
@@ -99,7 +103,9 @@ StableStep Simulation<D>::stable(bool renew) {
     Kokkos::deep_copy(stiffness_, 0.0);
     for (const auto& module : modules_) module->add_stiffness(model_, stiffness_);
   }
-  return motion_->stable(model_, stiffness_, factors_, renew);
+  StableStep step = motion_->stable(model_, stiffness_, factors_, renew);
+  if (!std::isfinite(step.dt)) step.dt = scene_->at("run").number("duration") / kUnlimitedSteps;
+  return step;
 }
 
 template <int D>

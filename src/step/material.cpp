@@ -34,6 +34,16 @@ void read_elasticity(const Settings& scene, const Settings& section, Material& m
 
 }  // namespace
 
+Material rigid_material(const Material& material) {
+  Material rigid;
+  rigid.name = material.name;
+  rigid.density = material.density;
+  rigid.young = material.young;
+  rigid.poisson = material.poisson;
+  rigid.rigid = true;
+  return rigid;
+}
+
 std::vector<Material> read_materials(const Settings& scene) {
   std::vector<Material> list;
   for (const Settings& section : scene.children("material")) {

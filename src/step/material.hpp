@@ -29,6 +29,8 @@ struct Material {
   PlasticLaw plastic;  ///< NoYield where the scene gives none
   std::optional<Eos> eos;
   BulkViscosity viscosity;
+  /// Of rigid bodies: exerts no forces; `young` and `poisson` are what contact looks at.
+  bool rigid = false;
 
   double lambda() const { return young * poisson / ((1 + poisson) * (1 - 2 * poisson)); }
   double mu() const { return young / (2 * (1 + poisson)); }
@@ -41,6 +43,9 @@ struct Material {
     return (plane_stress ? lambda_plane_stress() : lambda()) + 2 * mu();
   }
 };
+
+/// The material of a rigid body made of `material`: its mass and its surface, nothing that deforms.
+Material rigid_material(const Material& material);
 
 /// The [material.*] sections in scene order.
 std::vector<Material> read_materials(const Settings& scene);

@@ -34,6 +34,11 @@ const std::vector<Effect> kEffects = {
     {"sensor", "[[sensor]]\nname = \"s\"\npoint = [0.4, 0.4]\n", false, true},
     // Complete before a step is looked at: while it lasts, each step asks for an energy.
     {"excavation", "[[excavate]]\nbox = { lower = [0, 0], upper = [0.3, 0.3] }\nrelease = 1e-3\n",
+     true, true},
+    {"rigid",
+     "[[body]]\nname = \"r\"\nmaterial = \"m\"\nrigid = true\n"
+     "shape = { rectangle = { corner = [0, 2], size = [1, 1] } }\n"
+     "mesh = { generator = \"structured\", cells = [2, 2] }\n",
      true, true}};
 
 BlockScene with(const std::vector<std::string>& sections) {

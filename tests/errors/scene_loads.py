@@ -166,4 +166,33 @@ MASS = [
          at="1 ns", says=["run.mass_scaling", "nodes that split take their mass anew"]),
 ]
 
-CASES = STRESS + REST + KINDS + EXCAVATION + SPREADING + MASS
+RIGID_PLATE = ('name     = "plate"', 'name     = "plate"\nrigid    = true')
+MOVED = 'velocity = ["0.1 m/s", "free"]'
+
+RIGID = [
+    Case("rigid perhaps", edit=[('name     = "plate"', 'name     = "plate"\nrigid = "yes"')],
+         at='"yes"', says=["body.plate.rigid"]),
+    Case("turning what deforms", edit=[(MOVED, MOVED + "\nspin = 3")], at="spin = 3",
+         says=["only a rigid body can be told how it turns", "rigid = true"]),
+    Case("a pivot that is none", edit=[RIGID_PLATE, (MOVED, MOVED + "\npivot = false")], at="pivot",
+         says=["false says nothing"]),
+    Case("turning as given and freely",
+         edit=[RIGID_PLATE, (MOVED, MOVED + "\npivot = true\nspin = 3")], says=["spin", "pivot"]),
+    Case("turning what a pressure moves",
+         edit=[RIGID_PLATE, (MOVED, 'pressure = "1 MPa"\nspin = 3')], at="spin = 3",
+         says=["add `velocity` or `fixed`"]),
+    Case("a rigid body held by its edge",
+         edit=[RIGID_PLATE, ('where    = "plate"', 'where    = "plate.left"')], at="rigid",
+         says=["a boundary moves or holds a part of 'plate' only", 'say where = "plate"']),
+    Case("waves out of a rigid body",
+         edit=[RIGID_PLATE, (MOVED + '\nramp     = "1 us"', "non_reflecting = true")], at="rigid",
+         says=["lets waves out, but there are no waves in it"]),
+    Case("digging in a rigid body", edit=[RIGID_PLATE] + add('[[excavate]]\nwhere = "plate"\n'
+                                                            'release = "1 us"\n'),
+         at="rigid", says=["an [[excavate]] reaches 'plate'"]),
+    Case("rigid bodies resisting",
+         edit=[RIGID_PLATE] + run('rest = { method = "local" }'), at='"local"',
+         says=["rigid bodies know no local damping", '"kinetic"']),
+]
+
+CASES = RIGID + STRESS + REST + KINDS + EXCAVATION + SPREADING + MASS

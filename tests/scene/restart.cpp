@@ -163,6 +163,23 @@ TEST(Restart, BurstingBlockGoesOnBitForBit) {
   check_bursting<3>(400, 100);
 }
 
+// A rigid hammer beats a block that stands on a turning rigid table.
+TEST(Restart, RigidBodiesGoOnBitForBit) {
+  BlockScene scene;
+  scene.jitter = 0.3;
+  scene.more =
+      "[contact]\nfriction = 0.3\n"
+      "[[body]]\nname = \"hammer\"\nmaterial = \"m\"\nrigid = true\nvelocity = [0, -20]\nspin = "
+      "30\n"
+      "shape = { rectangle = { corner = [0.3, 1.01], size = [0.5, 0.5] } }\n"
+      "mesh = { generator = \"structured\", cells = [2, 2] }\n"
+      "[[body]]\nname = \"table\"\nmaterial = \"m\"\nrigid = true\n"
+      "shape = { rectangle = { corner = [-1, -0.5], size = [3, 0.49] } }\n"
+      "mesh = { generator = \"structured\", cells = [6, 2] }\n"
+      "[[boundary]]\nwhere = \"table\"\nfixed = [0, 0]\nspin = 0.5\nramp = 0.01\n";
+  check_restart<2>(scene, 150, 60);
+}
+
 // The hash must be able to tell: one bit of one velocity changes it.
 TEST(Restart, HashSeesOneBit) {
   SceneWorld<2> world(BlockScene{}.text());

@@ -3,6 +3,7 @@
 #include "base/mat.hpp"
 #include "fields/solid_fields.hpp"
 #include "modules/motion/motion_fields.hpp"
+#include "step/node_forces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -143,7 +144,7 @@ void Motion<D>::size_work(const Model<D>& model) {
 
 template <int D>
 void Motion<D>::enlist(Model<D>& model, Plan& plan) {
-  plan.add(Stage::assemble, "motion::node_motion", key(),
+  plan.add(Stage::advance, "motion::node_motion", key(),
            [this, &model](const Clock& clock) { move(model, clock); })
       .template reading<ElementForce<D>, NodeCorners, CornerList, NodeMass, NodeFlags>()
       .template writing<NodePosition<D>, NodeVelocity<D>>();
@@ -153,21 +154,7 @@ template <int D>
 void Motion<D>::move(Model<D>& model, const Clock& clock) {
   size_work(model);
   const Store& s = model.store;
-  NodeMotionIn<D> in;
-  in.corners = s.get<NodeCorners>();
-  in.corner_list = s.get<CornerList>();
-  in.element_force = s.get<ElementForce<D>>();
-  in.extra[0] = s.get_or_empty<InterfaceForce<D>>();
-  in.extra[1] = s.get_or_empty<ContactForce<D>>();
-  in.extra[2] = s.get_or_empty<LoadForce<D>>();
-  in.extra_bit[0] = s.has<InterfaceForce<D>>() ? node_flag::interface : 0;
-  in.extra_bit[1] = s.has<ContactForce<D>>() ? node_flag::contact : 0;
-  in.extra_bit[2] = s.has<LoadForce<D>>() ? node_flag::load : 0;
-  in.flags = s.get<NodeFlags>();
-  in.mass = s.get<NodeMass>();
-  in.boundary_velocity = s.get_or_empty<BoundaryVelocity<D>>();
-  in.gravity = model.gravity;
-  in.added_mass = s.get_or_empty<NodeAddedMass>();
+  NodeMotionIn<D> in = forces_on_nodes(model);
   in.resisting = model.rest.share;
   if (s.has<ElementAbsorber>()) {
     in.absorber = s.get<ElementAbsorber>();
@@ -176,8 +163,6 @@ void Motion<D>::move(Model<D>& model, const Clock& clock) {
   }
   in.dt = clock.dt;
   in.kick = clock.kick();
-  in.fixed_bits = node_flag::fixed_any;
-  in.boundary_shift = node_flag::boundary_shift;
   const NodeMotionOut<D> out{s.get<NodePosition<D>>(), s.get<NodeVelocity<D>>(),
                              s.get_or_empty<NodeReaction<D>>(), work_};
   node_motion(model.nodes(), in, out);

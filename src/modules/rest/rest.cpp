@@ -1,6 +1,8 @@
 #include "modules/rest/rest.hpp"
 
 #include "core/log.hpp"
+#include "fields/rigid_fields.hpp"
+#include "step/node_forces.hpp"
 
 #include <fmt/format.h>
 
@@ -92,7 +94,13 @@ template <int D>
 void RestModule<D>::take(Model<D>& model) {
   if (!model.rest.due) return;
   model.rest.taken += kinetic(model);
-  hold_still<D>(model.nodes(), model.store.template get<NodeVelocity<D>>());
+  const Store& s = model.store;
+  hold_still<D>(model.nodes(), s.get<NodeVelocity<D>>());
+  if (s.has<RigidVelocity<D>>()) {
+    Kokkos::deep_copy(s.get<RigidVelocity<D>>(), 0.0);
+    Kokkos::deep_copy(s.get<RigidMomentum>(), 0.0);
+    Kokkos::deep_copy(s.get<RigidSpin>(), 0.0);
+  }
   model.rest.due = false;
 }
 
@@ -101,22 +109,11 @@ void RestModule<D>::look(Model<D>& model, const Clock& clock) {
   Rest& rest = model.rest;
   if (rest.reached || clock.step % kLook != 0 || clock.time < after_) return;
   const Store& s = model.store;
-  NodeMotionIn<D> in;
-  in.corners = s.get<NodeCorners>();
-  in.corner_list = s.get<CornerList>();
-  in.element_force = s.get<ElementForce<D>>();
-  in.extra[0] = s.get_or_empty<InterfaceForce<D>>();
-  in.extra[1] = s.get_or_empty<ContactForce<D>>();
-  in.extra[2] = s.get_or_empty<LoadForce<D>>();
-  in.extra_bit[0] = s.has<InterfaceForce<D>>() ? node_flag::interface : 0;
-  in.extra_bit[1] = s.has<ContactForce<D>>() ? node_flag::contact : 0;
-  in.extra_bit[2] = s.has<LoadForce<D>>() ? node_flag::load : 0;
-  in.flags = s.get<NodeFlags>();
-  in.mass = s.get<NodeMass>();
-  in.gravity = model.gravity;
-  in.added_mass = s.get_or_empty<NodeAddedMass>();
-  in.fixed_bits = node_flag::fixed_any;
-  const NodeBalance balance = node_balance(model.nodes(), s.count(Entity::corner), in, rows_);
+  NodeBalance balance =
+      node_balance(model.nodes(), s.count(Entity::corner), forces_on_nodes(model), rows_);
+  if (s.has<RigidUnbalance>())
+    for (const double f : to_host(s.get<RigidUnbalance>(), s.count(Entity::rigid)))
+      balance.largest = std::max(balance.largest, f);
   rest.unbalance = share(balance.largest, balance.corner);
   if (!(rest.unbalance < tolerance_)) return;
   rest.motion = share(kinetic(model), model.stored_energy());

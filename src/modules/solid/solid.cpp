@@ -76,6 +76,7 @@ void archive_rows(Archive& archive, std::size_t block, ElementSums& rows) {
 template <int D>
 bool Solid<D>::remembers(const Model<D>& model, const Block& block) const {
   const Material& material = model.materials[block.material];
+  if (material.rigid) return false;
   return material.yields() || material.eos || !model.initial_stress.empty();
 }
 
@@ -115,6 +116,7 @@ void Solid<D>::set_start(Model<D>& model) {
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const Block& block = model.blocks[b];
     const Material& material = model.materials[block.material];
+    if (material.rigid) continue;
     double stored = 0;
     for (Index e = block.begin; e < block.end; ++e) {
       if (material.eos) {
@@ -148,6 +150,7 @@ void Solid<D>::resume(Model<D>& model) {
     const Material& material = model.materials[m];
     lame(m, 0) = D == 2 && model.plane_stress ? material.lambda_plane_stress() : material.lambda();
     lame(m, 1) = material.mu();
+    if (material.rigid) lame(m, 0) = lame(m, 1) = 0;  // neither stress nor a limit of the step
     // The time step looks at lambda + 2 mu.
     if (!material.stiffness) continue;
     anisotropic_[m] = anisotropic_state(model, material);
@@ -214,6 +217,7 @@ void Solid<D>::forces(Model<D>& model, const Clock& clock) {
     const Block& block = model.blocks[b];
     if (model.gone(block)) continue;
     const Material& material = model.materials[block.material];
+    if (material.rigid) continue;
     const ElementForceIn<D> in = input(model, block, clock);
     const ElementForceOut<D> out{
         s.get<ElementForce<D>>(),           s.get_or_empty<ElementHot>(),    bad_, sums_[b],
@@ -279,6 +283,7 @@ void Solid<D>::book(Model<D>& model, Ledger& ledger) const {
   for (std::size_t b = 0; b < sums_.size(); ++b) {
     const Block& block = model.blocks[b];
     const Material& material = model.materials[block.material];
+    if (material.rigid) continue;
     const Sums<element_sum::count> sums = total_of(sums_[b]);
     elastic += stored(model, b);
     damped = damped || material.damping > 0;
