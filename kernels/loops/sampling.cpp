@@ -42,11 +42,12 @@ struct StressAtPoint {
     for (Index k = corners(n, 0); k < corners(n, 1); ++k) {
       const Index e = corner_list(k) / (D + 1);
       if (stress.material(e) != stress.material(at.element)) continue;
-      const double share = stress.volume(e);
+      const double share = stress.volume(e) * (stress.share.extent(0) > 0 ? stress.share(e) : 1.0);
+      if (!(share > 0)) continue;  // excavated
       sum += stress.cauchy(e) * share;
       volume += share;
     }
-    return sum * (1 / volume);
+    return volume > 0 ? sum * (1 / volume) : sum;
   }
 };
 

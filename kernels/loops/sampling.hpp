@@ -21,7 +21,7 @@ struct StressPoint {
 /// only;
 /// the averages over the elements around each corner, weighted by volume, vary linearly between
 /// the corners and are of second order inside a mesh. Only elements of the point's own material
-/// count, for stress may jump from one to the next.
+/// count, for stress may jump from one to the next, and of what is excavated what is left.
 template <int D>
 Sym<D> sample_stress(const ElementStress<D>& stress, const ConstRanges& corners,
                      const Array<Index>& corner_list, const StressPoint<D>& at);
