@@ -8,9 +8,10 @@ namespace breccia {
 /// Error when the file is missing or is no MSH file at all.
 bool is_ascii_msh(const std::string& path);
 
-/// Reads ASCII MSH 2.2 and 4.1 without Gmsh, with the fields of elements ($ElementData). Throws
-/// Error with file and line: truncated, numbers that are none, entities that do not exist, elements of
-/// other types than simplices of first or second order, fields that contradict themselves.
+/// Reads ASCII MSH 2.2 and 4.1 without Gmsh, with the fields of elements ($ElementData).
+/// Throws Error with file and line: truncated, numbers that are none, entities that do not exist,
+/// elements of other types than simplices of first or second order, fields that contradict
+/// themselves.
 RawMesh read_msh(const std::string& path);
 
 }  // namespace breccia
