@@ -72,6 +72,42 @@ TEST(MassScaling, SliversSwingAtTheStepOfTheGoodMesh) {
   }
 }
 
+// A block that swings has the energy of its first swing for ever; 1e5 steps, with and without mass
+// for the slivers.
+TEST(MassScalingSlow, SliversStayBoundedOverManySteps) {
+  SceneWorld<2> good(swinging_block("").text());
+  good.simulation.start();
+  const double whole = good.simulation.clock().dt;
+  double swings = 0;  // J, most of the good mesh
+  for (int k = 0; k < 3000; ++k) {
+    const Ledger ledger = good.step_and_book();
+    swings = std::max(swings, ledger.kinetic + ledger.stored());
+  }
+  for (const auto& [aspect, share] : {std::pair{1e2, 0.3}, {1e3, 0.1}, {1e4, 0.03}}) {
+    for (const bool scale : {true, false}) {
+      SceneWorld<2> world(
+          swinging_block(scale ? fmt::format("mass_scaling = {{ step = {:.17g} }}", share * whole)
+                               : "")
+              .text());
+      make_slivers(world.model().mesh, aspect);
+      world.simulation.start();
+      EXPECT_EQ(world.model().added_mass > 0, scale);
+      EXPECT_LT(world.model().added_mass, 0.05);
+      double residual = 0, fall = 0;
+      for (int k = 0; k < 200; ++k) {
+        world.steps(499);
+        const Ledger ledger = world.step_and_book();
+        residual = std::max(residual, ledger.residual_2());
+        fall = std::max(fall, ledger.kinetic + ledger.stored());
+        ASSERT_LT(ledger.residual_1(), 1e-10) << aspect;
+      }
+      EXPECT_LT(residual, 1e-2) << aspect;  // what comes in and what is there, all along
+      EXPECT_LT(fall, 1.05 * swings) << aspect;
+      EXPECT_GT(fall, 0.1 * swings) << aspect;
+    }
+  }
+}
+
 TEST(MassScaling, AddedMassHasNoWeight) {
   BlockScene scene = swinging_block("mass_scaling = { step = 4e-5, quasi_static = true }");
   scene.more = "[gravity]\nacceleration = [0, -10]\n";
