@@ -1,6 +1,7 @@
 #pragma once
 #include "loops/element_laws.hpp"
 #include "loops/element_response.hpp"
+#include "point/radial_return.hpp"
 
 namespace breccia {
 
@@ -41,7 +42,12 @@ struct InelasticResponse {
     const R mean = R(law.bulk) * trace(eps);
     const R beyond =
         law.beyond(mean, R(law.shear) * square_root(R(2) * squared_deviator(eps)), history);
-    if (any(R(0) < beyond)) flow(shape, lanes, sub, beyond, shape.shift + pressed, eps, sums);
+    if (any(R(0) < beyond)) {
+      if constexpr (kIsRadial<Law>)
+        flow_radially(shape, lanes, sub, beyond, shape.shift + pressed, g, eps, sums);
+      else
+        flow(shape, lanes, sub, beyond, shape.shift + pressed, eps, sums);
+    }
     const R volumetric = trace(eps);
     const R stored = R(law.shear) * squared_deviator(eps) +
                      (state.has_eos ? R(0) : R(0.5 * law.bulk) * volumetric * volumetric);
@@ -150,7 +156,100 @@ struct InelasticResponse {
     state.history(e, eos_place::distension) = now.alpha;
   }
 
-  /// The law's return, lane by lane; few elements flow at a time.
+  /// The return of a law that scales the deviator: the law itself lane by lane, the strain and the
+  /// metric, eq:solid-18, of the whole pack. A lane whose strain changes much takes the long way.
+  ///
+  /// eq:solid-18  G := M G M^T, M = F^-1 exp(eps' - eps) F, which is eq:solid-17 since eps' - eps
+  ///              has the axes of eps.
+  template <class R, class Lanes>
+  KOKKOS_FUNCTION
+  void flow_radially(SubShape<D, R>& shape, const Lanes& lanes, int sub, const R& beyond,
+                     const R& added, const FullSym<D, R>& g, FullSym<D, R>& eps,
+                     Sums<element_sum::count>& sums) const {
+    constexpr int W = Lanes::W;
+    FullSym<D, R> change = eps;
+    change.add_identity(trace(eps) * R(-1.0 / 3));
+    double over[W], total[W], squared[W], volume[W], less[W], growth[W], work[W];
+    store(beyond, over);
+    store(trace(eps), total);
+    store(contract(change, change), squared);
+    store(shape.share * R(energy_scale) * shape.det / shape.jacobian, volume);
+    bool any_near = false, any_far = false;
+    double far[W];
+    for (int l = 0; l < W; ++l) {
+      less[l] = growth[l] = work[l] = 0;
+      far[l] = -1;
+      if (!(over[l] > 0) || l >= lanes.count()) {
+        over[l] = 0;
+        continue;
+      }
+      const Index e = lanes.element(l, sub);
+      double history[kMaxHistory];
+      for (int k = 0; k < Law::kHistory; ++k) history[k] = state.history(e, k);
+      RadialReturn back = RadialReturn::of(law, total[l], squared[l], history, dt);
+      if (state.has_eos) keep_volume(total[l] + back.growth, back.growth / 3, back.work);
+      const double mean = state.has_eos ? 0.0 : back.growth / 3;
+      const double lost = back.factor - 1;
+      if (lost * lost * squared[l] + 3 * mean * mean > kSmallExponent * kSmallExponent) {
+        far[l] = 1;
+        any_far = true;
+        over[l] = 0;
+        continue;
+      }
+      for (int k = 0; k < Law::kHistory; ++k) state.history(e, k) = history[k];
+      work[l] = back.work;
+      sums[element_sum::plastic] += back.work * volume[l];
+      less[l] = lost;
+      growth[l] = mean;
+      if (lost == 0 && mean == 0)
+        over[l] = 0;
+      else
+        any_near = true;
+    }
+    shape.work = load<R>(work);
+    if (any_near) {
+      change *= load<R>(less);
+      change.add_identity(load<R>(growth));
+      spread(shape, lanes, sub, over, change, g);
+    }
+    if (any_far) flow(shape, lanes, sub, load<R>(far), added, eps, sums);
+    if (any_near) eps += change;
+  }
+
+  /// eq:solid-18 where `over` is above 0.
+  template <class R, class Lanes>
+  KOKKOS_FUNCTION
+  void spread(const SubShape<D, R>& shape, const Lanes& lanes, int sub,
+              const double (&over)[Lanes::W], const FullSym<D, R>& change,
+              const FullSym<D, R>& g) const {
+    const Mat<D, R> cofactors = cofactor(shape.f);
+    const R inverse = R(1) / shape.jacobian;
+    Mat<D, R> back;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) back(i, j) = cofactors(j, i) * inverse;
+    const Sym<D, R> exponential = small_exponential(change.in);
+    Mat<D, R> middle;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) middle(i, j) = exponential(i, j);
+    FullSym<D, R> next{congruent(back * middle * shape.f, g.in), R(0)};
+    if constexpr (D == 2) next.zz = g.zz * small_exponential(R(2) * change.zz);
+    for (int i = 0; i < FullSym<D>::size; ++i) {
+      double value[Lanes::W];
+      store(next[i], value);
+      for (int l = 0; l < lanes.count(); ++l)
+        if (over[l] > 0) state.elastic(lanes.element(l, sub), i) = value[l];
+    }
+  }
+
+  /// Volume belongs to the equation of state: the flow keeps it and does no work on it. `trace` of
+  /// the strain that the law left, `change` of each normal strain.
+  KOKKOS_FORCEINLINE_FUNCTION
+  void keep_volume(double trace, double change, double& work) const {
+    work += 3 * law.bulk * trace * change;
+    if (work < 0) work = 0;
+  }
+
+  /// The law's return, lane by lane, in principal axes.
   template <class R, class Lanes>
   KOKKOS_FUNCTION
   void flow(SubShape<D, R>& shape, const Lanes& lanes, int sub, const R& beyond, const R& added,
@@ -163,8 +262,8 @@ struct InelasticResponse {
     store(beyond, over);
     store(added, add);
     store(shape.share * R(energy_scale) * shape.det / shape.jacobian, volume);
+    store(shape.work, work);
     for (int l = 0; l < W; ++l) {
-      work[l] = 0;
       if (!(over[l] > 0) || l >= lanes.count()) continue;
       FullSym<D> e;
       Mat<D> deformation;
@@ -191,11 +290,9 @@ struct InelasticResponse {
     for (int k = 0; k < Law::kHistory; ++k) state.history(element, k) = history[k];
     if (strain[0] == trial[0] && strain[1] == trial[1] && strain[2] == trial[2]) return work;
     if (state.has_eos) {
-      // Volume belongs to the equation of state: the flow keeps it and does no work on it.
       const double volume = strain[0] + strain[1] + strain[2];
       const double change = (volume - trial[0] - trial[1] - trial[2]) / 3;
-      const double rest = work + 3 * law.bulk * volume * change;
-      work = rest > 0 ? rest : 0.0;
+      keep_volume(volume, change, work);
       for (double& value : strain) value -= change;
     }
     e.in = axes.with(strain);

@@ -34,6 +34,8 @@ namespace breccia {
 // the history on by dt [s] and gives the plastic work per reference volume [J/m3], never negative.
 // It is called where `beyond` is above 0; at every point where the law says kAlwaysUpdate = true (a
 // history that moves in the elastic domain too).
+// A law that scales the deviator and changes the trace, by what these two say, declares
+// kRadial = true and is spared principal axes (point/radial_return.hpp).
 // With an equation of state the caller chooses the trial strain such that K (e_1 + e_2 + e_3) is
 // minus the pressure of that equation, and afterwards takes the deviator only.
 

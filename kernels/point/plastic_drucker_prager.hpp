@@ -31,6 +31,7 @@ struct Cohesion {
 // source   Drucker and Prager 1952; de Souza Neto, Peric, Owen, Computational Methods for
 //          Plasticity (2008), chapter 8
 struct DruckerPrager {
+  static constexpr bool kRadial = true;
   static constexpr int kHistory = 1;
   static constexpr std::array<HistoryEntry, 1> kHistoryEntries{kPlasticStrain};
   double bulk = 0, shear = 0;  ///< Pa

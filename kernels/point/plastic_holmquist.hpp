@@ -18,6 +18,7 @@ namespace breccia {
 // source   Johnson and Holmquist, AIP Conf. Proc. 309 (1994) 981; without bulking of what is
 //          crushed. `least` keeps a break in tension from being a jump.
 struct Holmquist {
+  static constexpr bool kRadial = true;
   static constexpr int kHistory = 2;
   static constexpr std::array<HistoryEntry, 2> kHistoryEntries{
       kPlasticStrain, HistoryEntry{"bulk_damage", "1", "damage of the material, 1: crushed"}};

@@ -10,6 +10,7 @@ namespace breccia {
 // eq:plastic-3  dg = (q_trial - sy) / (3 G + H), s = s_trial (1 - 3 G dg / q_trial), ep += dg
 // source   Wilkins 1964; Simo and Hughes, Computational Inelasticity (1998), box 3.1
 struct J2 {
+  static constexpr bool kRadial = true;
   static constexpr int kHistory = 1;
   static constexpr std::array<HistoryEntry, 1> kHistoryEntries{kPlasticStrain};
   double bulk = 0, shear = 0;  ///< Pa

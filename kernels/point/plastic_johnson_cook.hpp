@@ -18,6 +18,7 @@ enum class RateFactor { none, johnson_cook, perzyna };
 // Temperature lags by a step, which leaves one equation in dg with a bracketed root.
 // source   Johnson and Cook, 7th Int. Symp. Ballistics (1983); Perzyna, Adv. Appl. Mech. 9 (1966)
 struct JohnsonCook {
+  static constexpr bool kRadial = true;
   static constexpr int kHistory = 3;
   static constexpr std::array<HistoryEntry, 3> kHistoryEntries{
       kPlasticStrain, HistoryEntry{"temperature_rise", "K", "rise of temperature by plastic flow"},

@@ -35,6 +35,9 @@ constexpr std::int64_t kLook = 10;
 /// Steps of a run in which nothing limits the step: rigid bodies that rest, far from one another.
 constexpr double kUnlimitedSteps = 1000;
 
+/// Largest strain of an element in one step.
+constexpr double kStrainOfStep = 0.25;
+
 /// Default shares of the stable step (ALGORITHMS ): less where springs with kinks act.
 constexpr double kFactorBulk = 0.9;
 constexpr double kFactorSprings = 0.5;
@@ -104,6 +107,8 @@ StableStep Simulation<D>::stable(bool renew) {
     for (const auto& module : modules_) module->add_stiffness(model_, stiffness_);
   }
   StableStep step = motion_->stable(model_, stiffness_, factors_, renew);
+  // Where bodies meet faster than sound an element could be crossed before its rate is known.
+  if (step.strain_rate * step.dt > kStrainOfStep) step.dt = kStrainOfStep / step.strain_rate;
   if (!std::isfinite(step.dt)) step.dt = scene_->at("run").number("duration") / kUnlimitedSteps;
   return step;
 }
