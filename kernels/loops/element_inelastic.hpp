@@ -44,7 +44,7 @@ struct InelasticResponse {
         law.beyond(mean, R(law.shear) * square_root(R(2) * squared_deviator(eps)), history);
     if (any(R(0) < beyond)) {
       if constexpr (kIsRadial<Law>)
-        flow_radially(shape, lanes, sub, beyond, shape.shift + pressed, g, eps, sums);
+        flow_radially(shape, lanes, sub, beyond, shape.shift + pressed, g, history, eps, sums);
       else
         flow(shape, lanes, sub, beyond, shape.shift + pressed, eps, sums);
     }
@@ -156,7 +156,46 @@ struct InelasticResponse {
     state.history(e, eos_place::distension) = now.alpha;
   }
 
-  /// The return of a law that scales the deviator: the law itself lane by lane, the strain and the
+  /// What a radial law does to each lane that may flow.
+  template <class Lanes>
+  struct Returns {
+    RadialReturn of[Lanes::W];
+    double history[Lanes::W][kMaxHistory];
+
+    template <class R>
+    KOKKOS_FUNCTION
+    Returns(const InelasticResponse& in, const Lanes& lanes, int sub,
+            const double (&over)[Lanes::W], const R& trace, const R& squared,
+            R (&before)[kMaxHistory]) {
+      constexpr int W = Lanes::W;
+      if constexpr (kHasClosedForm<Law, R>) {
+        R work;
+        double factor[W], spent[W], now[W];
+        store(in.law.radial(squared, before, work), factor);
+        store(work, spent);
+        for (int l = 0; l < W; ++l) of[l] = {factor[l], 0, spent[l]};
+        for (int k = 0; k < Law::kHistory; ++k) {
+          store(before[k], now);
+          for (int l = 0; l < W; ++l) history[l][k] = now[l];
+        }
+      } else {
+        double total[W], size[W];
+        store(trace, total);
+        store(squared, size);
+        for (int l = 0; l < lanes.count(); ++l) {
+          if (!(over[l] > 0)) continue;
+          for (int k = 0; k < Law::kHistory; ++k)
+            history[l][k] = in.state.history(lanes.element(l, sub), k);
+          of[l] = RadialReturn::of(in.law, total[l], size[l], history[l], in.dt);
+          if (!in.state.has_eos) continue;
+          in.keep_volume(total[l] + of[l].growth, of[l].growth / 3, of[l].work);
+          of[l].growth = 0;
+        }
+      }
+    }
+  };
+
+  /// The return of a law that scales the deviator: the law for each lane, the strain and the
   /// metric, eq:solid-18, of the whole pack. A lane whose strain changes much takes the long way.
   ///
   /// eq:solid-18  G := M G M^T, M = F^-1 exp(eps' - eps) F, which is eq:solid-17 since eps' - eps
@@ -164,18 +203,18 @@ struct InelasticResponse {
   template <class R, class Lanes>
   KOKKOS_FUNCTION
   void flow_radially(SubShape<D, R>& shape, const Lanes& lanes, int sub, const R& beyond,
-                     const R& added, const FullSym<D, R>& g, FullSym<D, R>& eps,
-                     Sums<element_sum::count>& sums) const {
+                     const R& added, const FullSym<D, R>& g, R (&history)[kMaxHistory],
+                     FullSym<D, R>& eps, Sums<element_sum::count>& sums) const {
     constexpr int W = Lanes::W;
     FullSym<D, R> change = eps;
     change.add_identity(trace(eps) * R(-1.0 / 3));
-    double over[W], total[W], squared[W], volume[W], less[W], growth[W], work[W];
+    const R size = contract(change, change);
+    double over[W], far[W], squared[W], volume[W], less[W], growth[W], work[W];
     store(beyond, over);
-    store(trace(eps), total);
-    store(contract(change, change), squared);
+    store(size, squared);
     store(shape.share * R(energy_scale) * shape.det / shape.jacobian, volume);
+    const Returns<Lanes> back(*this, lanes, sub, over, trace(eps), size, history);
     bool any_near = false, any_far = false;
-    double far[W];
     for (int l = 0; l < W; ++l) {
       less[l] = growth[l] = work[l] = 0;
       far[l] = -1;
@@ -183,25 +222,20 @@ struct InelasticResponse {
         over[l] = 0;
         continue;
       }
-      const Index e = lanes.element(l, sub);
-      double history[kMaxHistory];
-      for (int k = 0; k < Law::kHistory; ++k) history[k] = state.history(e, k);
-      RadialReturn back = RadialReturn::of(law, total[l], squared[l], history, dt);
-      if (state.has_eos) keep_volume(total[l] + back.growth, back.growth / 3, back.work);
-      const double mean = state.has_eos ? 0.0 : back.growth / 3;
-      const double lost = back.factor - 1;
-      if (lost * lost * squared[l] + 3 * mean * mean > kSmallExponent * kSmallExponent) {
+      const double lost = back.of[l].factor - 1, more = back.of[l].growth / 3;
+      if (lost * lost * squared[l] + 3 * more * more > kSmallExponent * kSmallExponent) {
         far[l] = 1;
         any_far = true;
         over[l] = 0;
         continue;
       }
-      for (int k = 0; k < Law::kHistory; ++k) state.history(e, k) = history[k];
-      work[l] = back.work;
-      sums[element_sum::plastic] += back.work * volume[l];
+      const Index e = lanes.element(l, sub);
+      for (int k = 0; k < Law::kHistory; ++k) state.history(e, k) = back.history[l][k];
+      work[l] = back.of[l].work;
+      sums[element_sum::plastic] += work[l] * volume[l];
       less[l] = lost;
-      growth[l] = mean;
-      if (lost == 0 && mean == 0)
+      growth[l] = more;
+      if (lost == 0 && more == 0)
         over[l] = 0;
       else
         any_near = true;

@@ -23,6 +23,20 @@ struct J2 {
     return R(1.7320508075688773) * root_j2 - (R(yield) + R(hardening) * history[0]);
   }
 
+  /// `update` for a pack: the factor of the deviator e' of this e' : e'.
+  template <class R>
+  KOKKOS_FUNCTION
+  R radial(const R& squared_deviator, R (&history)[kMaxHistory], R& work) const {
+    const R q = R(shear * 2.449489742783178) * square_root(squared_deviator);
+    const R strength = maximum(R(0), R(yield) + R(hardening) * history[0]);
+    const R most = q * R(1 / (3 * shear));
+    const R step = minimum(most, maximum(R(0), (q - strength) * R(1 / (3 * shear + hardening))));
+    const R left = q - R(3 * shear) * step;
+    history[0] = history[0] + step;
+    work = R(0.5) * (strength + left) * step;
+    return left / maximum(q, R(1e-300));
+  }
+
   KOKKOS_FUNCTION
   double update(double (&strain)[3], double (&history)[kMaxHistory], double /*dt*/) const {
     const double q = 1.7320508075688773 * PrincipalStress::of(strain, bulk, shear).root_j2();

@@ -14,6 +14,13 @@ inline constexpr bool kIsRadial = requires {
   requires L::kRadial;
 };
 
+/// A radial law that keeps the trace and has a closed form for packs: radial(e' : e', history, work)
+/// gives the factor and moves the history on; where it does not flow, it changes nothing.
+template <class L, class R>
+inline constexpr bool kHasClosedForm = requires(const L& law, R value, R (&history)[kMaxHistory]) {
+  {law.radial(value, history, value)};
+};
+
 /// What a radial return does: e_i := m' + factor (e_i - m), with 3 m' = trace + growth.
 struct RadialReturn {
   double factor = 1, growth = 0;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace breccia {
 
@@ -70,6 +71,21 @@ Simulation<D>::Simulation(const Settings& scene, const std::filesystem::path& fo
   factors_.springs = given ? run.number("step_factor") : kFactorSprings;
 }
 
+/// What is left of the first step where bodies are as fast as sound: nobody knows yet what they will
+/// meet, and in a step of elements at rest they would cross a whole one.
+template <int D>
+double Simulation<D>::first_share() const {
+  double slowest = std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < model_.materials.size(); ++m)
+    slowest = std::min(slowest, std::sqrt(model_.p_wave_modulus(static_cast<Index>(m)) /
+                                          model_.materials[m].density));
+  const auto v = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
+                                                     model_.store.template get<NodeVelocity<D>>());
+  double fastest = 0;
+  for (Index n = 0; n < model_.nodes(); ++n) fastest = std::max(fastest, norm(row<D>(v, n)));
+  return std::min(1.0, kStrainOfStep * slowest / fastest);
+}
+
 template <int D>
 void Simulation<D>::start() {
   for (const auto& module : modules_) module->bind(model_);
@@ -78,6 +94,7 @@ void Simulation<D>::start() {
     motion_->scale_mass(model_, stiffness_, factors_);
     first = stable(false);
   }
+  first.dt *= fixed_step_ > 0 ? 1.0 : first_share();
   if (fixed_step_ > 0) {
     const double limit = first.dt / (first.by_springs ? factors_.springs : factors_.bulk);
     if (fixed_step_ > limit)

@@ -64,6 +64,8 @@ class Simulation {
 
  private:
   void choose_step();
+  /// Share of the first stable step that fast bodies may take.
+  double first_share() const;
   /// Half a kick to t^n, where the rest module takes the velocities.
   void stop_motion();
   void record(const StableStep& stable);

@@ -59,6 +59,28 @@ TEST(RadialReturn, NeedsNoAxes) {
   check_law(quick, 0.002);
 }
 
+// The form for packs is the law.
+TEST(RadialReturn, TheClosedFormIsTheLaw) {
+  for (const double hardening : {-5e9, 0.0, 2e9}) {
+    J2 metal;
+    metal.bulk = 40e9;
+    metal.shear = 25e9;
+    metal.yield = 100e6;
+    metal.hardening = hardening;
+    for (const double ep : {0.0, 0.015, 0.03})
+      for (const double squared : {0.0, 1e-7, 4e-6, 1e-4}) {
+        double history[kMaxHistory] = {ep}, same[kMaxHistory] = {ep}, work = 0;
+        const RadialReturn law = RadialReturn::of(metal, 0.001, squared, history, 0);
+        const double factor = metal.radial(squared, same, work);
+        if (squared > 0) {
+          EXPECT_NEAR(factor, law.factor, 1e-14);
+        }
+        EXPECT_NEAR(work, law.work, 1e-13 * (law.work + metal.shear * squared));
+        EXPECT_NEAR(same[0], history[0], 1e-15);
+      }
+  }
+}
+
 TEST(RadialReturn, TheSmallExponentialIsTheExponential) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(-1, 1);
