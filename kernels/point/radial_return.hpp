@@ -4,8 +4,8 @@
 
 namespace breccia {
 
-// Return of laws that only scale the deviator of the trial strain and change its trace: they need no
-// principal axes, and what becomes of the plastic metric is a product with a small exponential.
+// Return of laws that only scale the deviator of the trial strain and change its trace: they need
+// no principal axes, and what becomes of the plastic metric is a product with a small exponential.
 
 /// A law whose return is radial says kRadial = true: what `update` does to the strain follows from
 /// trace and size of the deviator alone.
@@ -14,8 +14,8 @@ inline constexpr bool kIsRadial = requires {
   requires L::kRadial;
 };
 
-/// A radial law that keeps the trace and has a closed form for packs: radial(e' : e', history, work)
-/// gives the factor and moves the history on; where it does not flow, it changes nothing.
+/// A radial law that keeps the trace and has a closed form for packs: radial(e' : e', history,
+/// work) gives the factor and moves the history on; where it does not flow, it changes nothing.
 template <class L, class R>
 inline constexpr bool kHasClosedForm = requires(const L& law, R value, R (&history)[kMaxHistory]) {
   {law.radial(value, history, value)};

@@ -71,8 +71,8 @@ Simulation<D>::Simulation(const Settings& scene, const std::filesystem::path& fo
   factors_.springs = given ? run.number("step_factor") : kFactorSprings;
 }
 
-/// What is left of the first step where bodies are as fast as sound: nobody knows yet what they will
-/// meet, and in a step of elements at rest they would cross a whole one.
+/// What is left of the first step where bodies are as fast as sound: nobody knows yet what they
+/// will meet, and in a step of elements at rest they would cross a whole one.
 template <int D>
 double Simulation<D>::first_share() const {
   double slowest = std::numeric_limits<double>::infinity();
