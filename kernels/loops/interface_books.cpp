@@ -52,8 +52,9 @@ template <int D>
 struct EnergyLoop {
   InterfaceMap<D> map;
   ConstCornerStates<D> state;
+  ConstFaultStates<D> fault;
   ConstCornerEnergies<D> energy;
-  ConstArray<std::uint8_t> z_curve;
+  ConstArray<std::uint8_t> kind;
 
   KOKKOS_FUNCTION
   void operator()(Index i, Sums<6>& sum) const {
@@ -62,21 +63,23 @@ struct EnergyLoop {
     for (int c = 0; c < D; ++c) {
       if (map.active(i, c) == 0) continue;
       const CornerEnergy& e = energy(i, c);
-      const double stored = map.life(i) == interface_life::gone ? 0.0 : stored_at(r, state(i, c));
+      const double stored = map.life(i) == interface_life::gone ? 0.0 : stored_at(r, i, c);
       sum[0] += area * (stored - e.encoded);
       sum[1] += area * e.tension;
       sum[2] += area * e.shear;
       sum[3] += area * e.friction;
       sum[4] += area * e.viscous;
     }
-    if (map.life(i) != interface_life::acting) sum[5] += r.area;
+    if (map.life(i) != interface_life::acting && kind(r.law) != law_kind::fault) sum[5] += r.area;
   }
 
  private:
   KOKKOS_FUNCTION
-  double stored_at(const InterfaceRecord& r, const CohesiveState<D>& s) const {
-    if (z_curve(r.law) != 0) return Cohesive<D, ZCurve>{{}, r.springs}.stored(s);
-    return Cohesive<D, LinearSoftening>{{}, r.springs}.stored(s);
+  double stored_at(const InterfaceRecord& r, Index i, int c) const {
+    const std::uint8_t k = kind(r.law);
+    if (k == law_kind::fault) return Fault<D>{{}, r.springs}.stored(fault(i, c));
+    if (k == law_kind::z_curve) return Cohesive<D, ZCurve>{{}, r.springs}.stored(state(i, c));
+    return Cohesive<D, LinearSoftening>{{}, r.springs}.stored(state(i, c));
   }
 };
 
@@ -94,12 +97,12 @@ void InterfaceBooks<D>::stiffness(const ConstArray<Index>& families, Index count
 
 template <int D>
 InterfaceSums InterfaceBooks<D>::energies(const ConstCornerStates<D>& state,
+                                          const ConstFaultStates<D>& fault,
                                           const ConstCornerEnergies<D>& energy,
-                                          const ConstArray<std::uint8_t>& z_curve,
-                                          Index count) const {
+                                          const ConstArray<std::uint8_t>& kind, Index count) const {
   const ChunkSums<6> rows("breccia::fracture::energies", chunks_of(count));
   for_each_summed<6>("breccia::fracture::energies", count, rows,
-                     EnergyLoop<D>{map, state, energy, z_curve});
+                     EnergyLoop<D>{map, state, fault, energy, kind});
   const Sums<6> s = total_of(rows);
   return {s[0], s[1], s[2], s[3], s[4], s[5]};
 }

@@ -4,6 +4,11 @@
 
 namespace breccia {
 
+/// Kind of an interface law, as loops over all of them look it up.
+namespace law_kind {
+inline constexpr std::uint8_t linear = 0, z_curve = 1, fault = 2;
+}  // namespace law_kind
+
 /// Sums over interfaces, J and m2.
 struct InterfaceSums {
   double stored = 0, tension = 0, shear = 0, friction = 0, viscous = 0;
@@ -21,9 +26,11 @@ struct InterfaceBooks {
                  const ConstArray<Index>& corner_list, const ConstConnectivity<D>& nodes,
                  const Array<double>& stiffness) const;
 
-  /// Energies of interfaces [0, count), in a fixed order. `z_curve`: per law.
-  InterfaceSums energies(const ConstCornerStates<D>& state, const ConstCornerEnergies<D>& energy,
-                         const ConstArray<std::uint8_t>& z_curve, Index count) const;
+  /// Energies of interfaces [0, count), in a fixed order. `kind`: per law. What was broken before
+  /// the start counts to no area.
+  InterfaceSums energies(const ConstCornerStates<D>& state, const ConstFaultStates<D>& fault,
+                         const ConstCornerEnergies<D>& energy, const ConstArray<std::uint8_t>& kind,
+                         Index count) const;
 };
 
 extern template struct InterfaceBooks<2>;

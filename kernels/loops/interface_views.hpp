@@ -1,8 +1,10 @@
 #pragma once
+#include "base/mat.hpp"
 #include "base/simplex.hpp"
 #include "base/views.hpp"
 #include "point/cohesive.hpp"
 #include "point/cohesive_onset.hpp"
+#include "point/fault.hpp"
 #include "point/interface_springs.hpp"
 
 #include <cstdint>
@@ -16,7 +18,10 @@ struct InterfaceLaw {
   double stiffness_factor = 5;  ///< kf: k_n = kf M / h_f
   double damping = 0.01;        ///< xi, share of critical
   bool z_curve = false;
-  bool at_start = false;  ///< inserted before the first step
+  bool at_start = false;         ///< inserted before the first step
+  bool fault = false;            ///< without strength, inserted with the first forces
+  FrictionLaw friction;          ///< of a fault
+  Sym<3> load = Sym<3>::zero();  ///< Pa, stands on the fault but not in the elements
 };
 
 /// What an inserted face keeps besides the states of its corners.
@@ -39,6 +44,10 @@ inline constexpr std::uint8_t acting = 0, broken = 1, leaving = 2, gone = 3;
 
 template <int D>
 using CornerStates = Kokkos::View<CohesiveState<D>* [D], Rows, Memory>;
+template <int D>
+using FaultStates = Kokkos::View<FaultState<D>* [D], Rows, Memory>;  ///< empty without faults
+template <int D>
+using ConstFaultStates = Kokkos::View<const FaultState<D>* [D], Rows, Memory>;
 template <int D>
 using CornerEnergies = Kokkos::View<CornerEnergy* [D], Rows, Memory>;
 template <int D>

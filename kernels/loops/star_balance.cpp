@@ -226,12 +226,35 @@ struct BalanceLoop {
     const Index k = in.of_face(face);
     const InterfaceRecord& record = in.record(k);
     const InterfaceLaw& law = in.laws(record.law);
-    const Vec<D> local = frame_of(x).to_local(traction);
+    const InterfaceFrame<D> frame = frame_of(x);
+    const Vec<D> local = frame.to_local(traction);
+    if (law.fault)
+      encode_fault(k, c, law, frame, local);
+    else
+      encode_cohesive(k, c, law, local);
+    for (int d = 0; d < D; ++d) out.force(k, c, d) = traction[d] * (record.area / D);
+    out.active(k, c) = 1;
+  }
+
+  KOKKOS_FUNCTION
+  void encode_cohesive(Index k, int c, const InterfaceLaw& law, const Vec<D>& local) const {
+    const InterfaceRecord& record = in.record(k);
     out.state(k, c) = law.z_curve ? encode<D, ZCurve>(law.strength, record.springs, local)
                                   : encode<D, LinearSoftening>(law.strength, record.springs, local);
     out.energy(k, c) = {0, 0, 0, 0, encoded_energy(record.springs, out.state(k, c))};
-    for (int d = 0; d < D; ++d) out.force(k, c, d) = traction[d] * (record.area / D);
-    out.active(k, c) = 1;
+  }
+
+  /// A fault under tension opens: its first force is not that of the elements.
+  KOKKOS_FUNCTION
+  void encode_fault(Index k, int c, const InterfaceLaw& law, const InterfaceFrame<D>& frame,
+                    const Vec<D>& local) const {
+    const Fault<D> fault{law.friction, in.record(k).springs};
+    Vec<D> load = Vec<D>::zero();
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) load[i] += law.load(i, j) * frame.normal()[j];
+    out.fault(k, c) = fault.encode(local, frame.to_local(load));
+    out.energy(k, c) = {0, 0, 0, 0, fault.stored(out.fault(k, c))};
+    out.state(k, c) = encode<D, LinearSoftening>({}, in.record(k).springs, Vec<D>::zero());
   }
 };
 

@@ -26,6 +26,7 @@ struct StarBalanceOut {
   CornerEnergies<D> energy;
   CornerFlags<D> active;
   PairForces<D> force;
+  FaultStates<D> fault;
 };
 
 /// Activates the interface corners between components that leave a node in this step. Their first

@@ -42,8 +42,8 @@ template <int D>
 double stored(const Model<D>& model) {
   const Store& s = model.store;
   return InterfaceBooks<D>{interface_map<D>(s)}
-      .energies(s.get<InterfaceStates<D>>(), s.get<InterfaceEnergies<D>>(),
-                Array<std::uint8_t>("breccia::perf::z_curve", 1), s.count(Entity::interface))
+      .energies(s.get<InterfaceStates<D>>(), FaultStates<D>{}, s.get<InterfaceEnergies<D>>(),
+                Array<std::uint8_t>("breccia::perf::law_kind", 1), s.count(Entity::interface))
       .stored;
 }
 

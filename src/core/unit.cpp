@@ -220,6 +220,7 @@ constexpr std::array named{
     NamedDimension{unit::surface_energy, "energy per area", "J/m2", "50 J/m2"},
     NamedDimension{unit::interface_stiffness, "stiffness per area", "Pa/m", "10 GPa/m"},
     NamedDimension{unit::viscosity, "viscosity", "Pa.s", "1 mPa.s"},
+    NamedDimension{unit::none / unit::length, "one per length", "1/m", "0.5 1/m"},
     NamedDimension{unit::interface_viscosity, "viscosity per length", "Pa.s/m", "1 kPa.s/m"},
 };
 

@@ -24,6 +24,17 @@ using Owners = std::map<Tag, std::vector<std::size_t>>;
 struct ShapeMaker {
   double scale;
 
+  /// A segment or a polygon.
+  Tag piece(const FracturePiece& corners) const {
+    std::vector<int> points, curves;
+    for (const auto& x : corners)
+      points.push_back(occ::addPoint(scale * x[0], scale * x[1], scale * x[2]));
+    if (points.size() == 2) return {1, occ::addLine(points[0], points[1])};
+    for (std::size_t i = 0; i < points.size(); ++i)
+      curves.push_back(occ::addLine(points[i], points[(i + 1) % points.size()]));
+    return {2, occ::addPlaneSurface({occ::addCurveLoop(curves)})};
+  }
+
   int point(const Point<2>& x) const { return occ::addPoint(scale * x[0], scale * x[1], 0); }
 
   Tag surface(const std::vector<std::vector<Point<2>>>& loops) const {
@@ -114,6 +125,11 @@ GmshAssembly gmsh_assemble(int dimension, std::span<const BodyShape* const> bodi
         line_body.push_back(b);
       }
     }
+    for (const FractureNet& net : bodies[b]->fractures)
+      for (const FracturePiece& piece : net.pieces) {
+        lines.push_back(maker.piece(piece));
+        line_body.push_back(b);
+      }
   }
   Tags all;
   std::vector<Tags> parts;

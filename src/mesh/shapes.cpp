@@ -3,6 +3,7 @@
 #include "core/log.hpp"
 #include "mesh/check_shapes.hpp"
 #include "mesh/extract.hpp"
+#include "mesh/fracture_faces.hpp"
 #include "mesh/geometry.hpp"
 #include "mesh/gmsh_mesher.hpp"
 #include "mesh/msh_reader.hpp"
@@ -117,6 +118,7 @@ Mesh<D> mesh_from_file(const Part& part, const NativeReader<D>& native) {
 template <int D>
 Mesh<D> mesh_part(const Part& part, const NativeReader<D>& native) {
   check_part(D, part);
+  for (const BodyShape* body : part) check_fractures(D, *body);
   if (std::holds_alternative<MeshFile>(part[0]->shape)) return mesh_from_file<D>(part, native);
   if (part[0]->pattern) return mesh_structured<D>(*part[0]);
   return mesh_by_gmsh<D>(part);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/fracture_net.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/structured.hpp"
 
@@ -74,8 +75,9 @@ struct BodyShape {
   std::string part_of;  ///< bodies with equal, non-empty part_of share the points of common faces
   std::vector<Refinement> refinements;
   std::vector<EmbeddedLine> lines;
-  std::optional<Pattern> pattern;  ///< rectangle and box: structured grid instead of Gmsh
-  double jitter = 0;               ///< of the structured grid
+  std::vector<FractureNet> fractures;  ///< Gmsh follows them
+  std::optional<Pattern> pattern;      ///< rectangle and box: structured grid instead of Gmsh
+  double jitter = 0;                   ///< of the structured grid
   Arrangement arrangement = Arrangement::irregular;  ///< of a part: its first body's
   int seed = 1;                                      ///< other seeds give other meshes
   bool curved = false;  ///< mid-edge nodes on the geometry (Mesh::curved); of a part: as one

@@ -42,6 +42,12 @@ double element_size(const BodyShape& body, const Point<3>& x) {
     const double s = span > 0 ? std::clamp(gap / span, 0.0, 1.0) : (gap > 0 ? 1.0 : 0.0);
     size = std::min(size, r.size + s * (body.size - r.size));
   }
+  for (const FractureNet& net : body.fractures) {
+    if (net.size <= 0) continue;
+    const double growth = net.growth > 0 ? net.growth : kGrowth;
+    for (const FracturePiece& piece : net.pieces)
+      size = std::min(size, net.size + growth * distance_to(piece, x));
+  }
   return size;
 }
 

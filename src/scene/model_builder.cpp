@@ -8,6 +8,7 @@
 #include "mesh/validate.hpp"
 #include "scene/body_shapes.hpp"
 #include "scene/excavations.hpp"
+#include "scene/fractures.hpp"
 #include "scene/initial_stress.hpp"
 #include "scene/material_axes.hpp"
 
@@ -61,7 +62,8 @@ std::vector<Block> find_blocks(const Model<D>& model, const std::vector<Index>& 
 template <int D>
 void size_store(Model<D>& model) {
   const Index points = model.mesh.points(), elements = model.mesh.elements();
-  const bool may_split = model.scene->has("fracture") || !model.scene->list("interface").empty();
+  const bool may_split = model.scene->has("fracture") || !model.scene->list("interface").empty() ||
+                         !model.scene->list("fractures").empty();
   const auto room = may_split ? static_cast<Index>(kNodeRoom * points) : points;
   model.store.set_size(Entity::node, points, room);
   model.store.set_size(Entity::corner, elements * (D + 1), elements * (D + 1));
@@ -77,17 +79,21 @@ template <int D>
 Mesh<D> build_mesh(const Settings& scene, const std::filesystem::path& folder) {
   const int seed = static_cast<int>(scene.at("run").integer("seed"));
   Mesh<D> mesh;
-  std::vector<BodyShape> shapes;
+  std::vector<BodyShape> shapes, all;
   for (const Settings& body : scene.list("body")) {
+    BodyShape shape = body_shape<D>(body, folder, seed);
+    shape.fractures = fractures_of(scene, folder, shape, D);
     if (const auto grid = grid_of<D>(body, seed))
       append(mesh, structured_mesh(*grid));
     else
-      shapes.push_back(body_shape<D>(body, folder, seed));
+      shapes.push_back(shape);
+    all.push_back(std::move(shape));
   }
   if (!shapes.empty())
     append(mesh,
            mesh_bodies<D>(shapes, [](const std::string& path) { return read_mesh<D>(path); }));
   validate(mesh, "the scene's mesh");
+  place_fractures(scene, all, mesh);
   refuse_overlap(mesh);
   return mesh;
 }

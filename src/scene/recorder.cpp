@@ -1,5 +1,6 @@
 #include "scene/recorder.hpp"
 
+#include "modules/fracture/fracture.hpp"
 #include "scene/frame_builder.hpp"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ Recorder<D>::Recorder(Simulation<D>& simulation, const RunFolder& folder, const 
 
 template <int D>
 void Recorder<D>::start() {
-  if (simulation_.scene().has("fracture") || !simulation_.scene().list("interface").empty())
+  if (Fracture<D>::wanted(simulation_.scene()))
     event_file_ = std::make_unique<EventWriter>(folder_.events(), D);
   if (frames_ > 0) {
     fragment_file_ = std::make_unique<FragmentWriter>(folder_.fragments(), D);
@@ -74,7 +75,7 @@ void Recorder<D>::resume(const OutputState& state) {
   next_frame_ = state.next_frame;
   history_rows_ = state.history_rows;
   read_history(state.history_rows);
-  if (simulation_.scene().has("fracture") || !simulation_.scene().list("interface").empty())
+  if (Fracture<D>::wanted(simulation_.scene()))
     event_file_ = std::make_unique<EventWriter>(folder_.events(), D, state.event_rows);
   if (frames_ > 0) {
     fragment_file_ = std::make_unique<FragmentWriter>(folder_.fragments(), D, state.fragment_rows);

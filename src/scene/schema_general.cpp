@@ -115,6 +115,7 @@ void declare_general_keys(Schema& schema) {
   declare_top(schema);
   declare_run(schema);
   declare_body_keys(schema);
+  declare_fracture_shape_keys(schema);
   declare_material_keys(schema);
   declare_load_keys(schema);
   declare_sensors(schema);
@@ -122,6 +123,7 @@ void declare_general_keys(Schema& schema) {
   declare_checks(schema);
   schema.check(check_run_rules);
   schema.check(check_body_rules);
+  schema.check(check_fracture_rules);
   schema.check(check_load_rules);
   schema.check(check_material_rules);
 }

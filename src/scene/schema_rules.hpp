@@ -6,6 +6,9 @@ namespace breccia {
 /// The keys of [[body]], its shape and its mesh.
 void declare_body_keys(Schema& schema);
 
+/// The keys of [[fractures]] but for their laws.
+void declare_fracture_shape_keys(Schema& schema);
+
 /// The keys of [material.NAME] with its laws.
 void declare_material_keys(Schema& schema);
 
@@ -18,6 +21,7 @@ void check_direction(const Settings& section, const char* key, Problems& problem
 // Rules between several keys; each adds what it finds wrong to `problems`.
 void check_run_rules(const Settings& scene, Problems& problems);
 void check_body_rules(const Settings& scene, Problems& problems);
+void check_fracture_rules(const Settings& scene, Problems& problems);
 void check_load_rules(const Settings& scene, Problems& problems);
 void check_material_rules(const Settings& scene, Problems& problems);
 

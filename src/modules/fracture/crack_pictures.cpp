@@ -78,7 +78,9 @@ struct CrackLook {
       face.slip += Kokkos::sqrt(slip) / D;
       if (map.active(i, c) != 0) face.damage += state(i, c).damage / D;
     }
-    face.mode = mode(spent(i));
+    const CohesiveState<D>& first = state(i, 0);  // a fault has no strength and slides
+    const bool fault = first.damage >= 1 && first.strength == 0 && first.cohesion == 0;
+    face.mode = fault ? 2 : mode(spent(i));
     face.status = status(r.face);
     face.area = r.area;
     return face;

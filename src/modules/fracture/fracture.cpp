@@ -1,10 +1,12 @@
 #include "modules/fracture/fracture.hpp"
 
 #include "fields/interface_fields.hpp"
+#include "loops/fault_force.hpp"
 #include "loops/interface_books.hpp"
 #include "loops/interface_breaks.hpp"
 #include "loops/interface_force.hpp"
 #include "modules/fracture/crack_pictures.hpp"
+#include "modules/fracture/existing_laws.hpp"
 #include "modules/fracture/fracture_fields.hpp"
 
 #include <algorithm>
@@ -24,7 +26,8 @@ void add_to(const Array<double>& sum, const Array<double>& more, Index n) {
 
 template <int D>
 bool Fracture<D>::wanted(const Settings& scene) {
-  return !scene.children("fracture").empty() || !scene.list("interface").empty();
+  return !scene.children("fracture").empty() || !scene.list("interface").empty() ||
+         has_existing_laws(scene);
 }
 
 template <int D>
@@ -49,6 +52,9 @@ void Fracture<D>::declare(Model<D>& model) {
   s.add<InterfaceStates<D>>(key());
   s.add<InterfaceEnergies<D>>(key());
   s.add<InterfacePairForce<D>>(key());
+  has_faults_ = std::any_of(laws_.laws.begin(), laws_.laws.end(),
+                            [](const InterfaceLaw& law) { return law.fault; });
+  if (has_faults_) s.add<InterfaceFaults<D>>(key());
   s.add<InterfaceStiffness>(key());
   if (contact_follows_) s.add<InterfaceSlip<D>>(key());
 }
@@ -70,9 +76,12 @@ void Fracture<D>::bind(Model<D>& model) {
 template <int D>
 void Fracture<D>::resume(Model<D>& model) {
   fill_faces(model);
-  std::vector<std::uint8_t> z_curve;
-  for (const InterfaceLaw& law : laws_.laws) z_curve.push_back(law.z_curve ? 1 : 0);
-  z_curve_ = to_device("breccia::fracture::z_curve", z_curve);
+  std::vector<std::uint8_t> kind;
+  for (const InterfaceLaw& law : laws_.laws)
+    kind.push_back(law.fault     ? law_kind::fault
+                   : law.z_curve ? law_kind::z_curve
+                                 : law_kind::linear);
+  kind_ = to_device("breccia::fracture::law_kind", kind);
   insertion_.prepare(model, laws_);
   for (Block& block : model.blocks) block.watch = watch_for(laws_, block.material);
   // A checkpoint holds neither the stiffness of the nodes nor the lists; the next forces make them.
@@ -182,13 +191,18 @@ Index Fracture<D>::act(const Model<D>& model, const Clock& clock) const {
   in.thickness = model.thickness;
   const InterfaceForceOut<D> out{s.get<InterfaceStates<D>>(), s.get<InterfaceEnergies<D>>(),
                                  s.get<InterfacePairForce<D>>(), s.get<InterfaceLife>()};
+  const FaultForceOut<D> at_fault{s.get_or_empty<InterfaceFaults<D>>(), out.state, out.energy,
+                                  out.force, out.life};
   Index aged = 0;
   for (std::size_t l = 0; l < laws_.laws.size(); ++l) {
     in.list = lists_.list(l);
     in.count = lists_.size(l);
     in.strength = laws_.laws[l].strength;
-    aged += laws_.laws[l].z_curve ? interface_force<D, ZCurve>(in, out)
-                                  : interface_force<D, LinearSoftening>(in, out);
+    if (laws_.laws[l].fault)
+      aged += fault_force<D>(in, laws_.laws[l].friction, at_fault);
+    else
+      aged += laws_.laws[l].z_curve ? interface_force<D, ZCurve>(in, out)
+                                    : interface_force<D, LinearSoftening>(in, out);
   }
   return aged;
 }
@@ -230,9 +244,9 @@ void Fracture<D>::add_stiffness(Model<D>& model, const Array<double>& stiffness)
 template <int D>
 InterfaceSums Fracture<D>::sums(const Model<D>& model) const {
   const Store& s = model.store;
-  return InterfaceBooks<D>{interface_map<D>(s)}.energies(s.get<InterfaceStates<D>>(),
-                                                         s.get<InterfaceEnergies<D>>(), z_curve_,
-                                                         s.count(Entity::interface));
+  return InterfaceBooks<D>{interface_map<D>(s)}.energies(
+      s.get<InterfaceStates<D>>(), s.get_or_empty<InterfaceFaults<D>>(),
+      s.get<InterfaceEnergies<D>>(), kind_, s.count(Entity::interface));
 }
 
 template <int D>

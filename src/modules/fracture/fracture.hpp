@@ -45,7 +45,8 @@ class Fracture final : public Module<D> {
   InterfaceSums sums(const Model<D>& model) const;
 
   InterfaceLaws laws_;
-  Array<std::uint8_t> z_curve_;  ///< per law
+  Array<std::uint8_t> kind_;  ///< law_kind of each law
+  bool has_faults_ = false;
   bool contact_follows_ = false;
   std::int64_t changes_seen_ = 0;  ///< of Model::surface_changes
   bool lists_are_stale_ = true;    ///< not made yet for this state

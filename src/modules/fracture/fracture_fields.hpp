@@ -31,6 +31,13 @@ struct InterfaceStates {
 };
 
 template <int D>
+struct InterfaceFaults {
+  using View = FaultStates<D>;
+  static constexpr FieldInfo info{"interface_fault", Entity::interface, "SI", Restart::yes,
+                                  "memory of the friction at each corner of a fault"};
+};
+
+template <int D>
 struct InterfaceEnergies {
   using View = CornerEnergies<D>;
   static constexpr FieldInfo info{"interface_energy", Entity::interface, "J/m2", Restart::yes,

@@ -1,3 +1,6 @@
+#include "modules/fracture/fracture_keys.hpp"
+
+#include "modules/fracture/existing_laws.hpp"
 #include "modules/fracture/fracture.hpp"
 
 namespace breccia {
@@ -44,6 +47,23 @@ void add_strength_keys(SectionBuilder& section) {
           "one random number of mean 1 (run.seed). All faces are alike if absent.");
 }
 
+}  // namespace
+
+void add_spring_keys(SectionBuilder& section) {
+  section.number("stiffness_factor", unit::none)
+      .between(0.5, 1000)
+      .by_default(5.0)
+      .doc(
+          "Stiffness of an interface times half the height of its elements, over their modulus. "
+          "A larger one costs time steps.");
+  section.number("damping", unit::none)
+      .between(0, 1)
+      .by_default(0.01)
+      .doc(
+          "Share of critical damping in the springs of interfaces; at least 0.005 keeps the kink "
+          "between opening and closing from feeding energy in.");
+}
+
 void add_law_keys(SectionBuilder section) {
   add_strength_keys(section);
   section.number("alpha", unit::none)
@@ -60,21 +80,8 @@ void add_law_keys(SectionBuilder section) {
   section.choice("softening", {"linear", "z_curve"})
       .by_default("linear")
       .doc("How strength falls with damage: a line, or the curve of Munjiza, Andrews and White.");
-  section.number("stiffness_factor", unit::none)
-      .between(0.5, 1000)
-      .by_default(5.0)
-      .doc(
-          "Stiffness of an interface times half the height of its elements, over their modulus. "
-          "A larger one costs time steps.");
-  section.number("damping", unit::none)
-      .between(0, 1)
-      .by_default(0.01)
-      .doc(
-          "Share of critical damping in the springs of interfaces; at least 0.005 keeps the kink "
-          "between opening and closing from feeding energy in.");
+  add_spring_keys(section);
 }
-
-}  // namespace
 
 void declare_fracture_keys(Schema& schema) {
   SectionBuilder fracture = schema.section("fracture.*");
@@ -96,6 +103,7 @@ void declare_fracture_keys(Schema& schema) {
       .example("[\"granite\", \"mortar\"]")
       .doc("The two materials.");
   add_law_keys(interface);
+  declare_existing_law_keys(schema);
 }
 
 }  // namespace breccia

@@ -27,6 +27,8 @@ constexpr Index kBatch = 1 << 15;
 template <int D>
 void Insertion<D>::prepare(const Model<D>& model, const InterfaceLaws& laws) {
   table_ = laws;
+  faults_started_ = std::none_of(laws.laws.begin(), laws.laws.end(),
+                                 [](const InterfaceLaw& law) { return law.fault; });
   laws_ = to_device("breccia::fracture::laws", laws.laws);
   std::vector<std::uint16_t> law_of;
   for (const Index law : law_of_faces(laws, model))
@@ -72,8 +74,31 @@ Index Insertion<D>::start(Model<D>& model) {
   return static_cast<Index>(faces.size());
 }
 
+/// Faults wait for the first forces, so that they begin with the tractions that these ask for.
+template <int D>
+Index Insertion<D>::start_faults(Model<D>& model) {
+  faults_started_ = true;
+  const auto status = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
+                                                          model.store.template get<FaceStatus>());
+  const std::vector<Index> law = law_of_faces(table_, model);
+  std::vector<Index> faces;
+  for (std::size_t f = 0; f < law.size(); ++f)
+    if (law[f] != kNone && table_.laws[static_cast<std::size_t>(law[f])].fault &&
+        status(f) == face_status::bonded)
+      faces.push_back(static_cast<Index>(f));
+  if (faces.empty()) return 0;
+  const auto count = static_cast<Index>(faces.size());
+  insert(model, to_device("breccia::fracture::faults", faces), count);
+  split(model);
+  return count;
+}
+
 template <int D>
 Index Insertion<D>::check(Model<D>& model) {
+  if (!faults_started_) {
+    const Index found = start_faults(model);
+    if (found > 0) return found;
+  }
   const Store& s = model.store;
   const Index hot =
       compact("breccia::fracture::hot_elements", s.get<ElementHot>(), model.elements(), hot_);
@@ -224,8 +249,9 @@ void Insertion<D>::balance(const Model<D>& model, const Stars<D>& stars) const {
   in.of_face = s.get<FaceInterface>();
   in.record = s.get<InterfaceRecords>();
   in.laws = laws_;
-  balance_stars(in, {s.get<InterfaceStates<D>>(), s.get<InterfaceEnergies<D>>(),
-                     s.get<InterfaceActive<D>>(), s.get<InterfacePairForce<D>>()});
+  balance_stars(
+      in, {s.get<InterfaceStates<D>>(), s.get<InterfaceEnergies<D>>(), s.get<InterfaceActive<D>>(),
+           s.get<InterfacePairForce<D>>(), s.get_or_empty<InterfaceFaults<D>>()});
 }
 
 template class Insertion<2>;

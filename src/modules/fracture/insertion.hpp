@@ -34,6 +34,7 @@ class Insertion {
   Index family_count() const { return work_.families; }
 
  private:
+  Index start_faults(Model<D>& model);
   void insert(Model<D>& model, const Array<Index>& faces, Index count);
   void split(Model<D>& model);
   void list_touched(const Model<D>& model);
@@ -43,6 +44,7 @@ class Insertion {
   StarMap<D> star_map(const Store& store) const;
 
   InterfaceLaws table_;
+  bool faults_started_ = true;
   Array<InterfaceLaw> laws_;
   Array<std::uint16_t> law_of_;  ///< of faces
   Array<InterfaceSide> sides_;

@@ -3,6 +3,7 @@
 #include "core/log.hpp"
 #include "mesh/composite.hpp"
 #include "mesh/geometry.hpp"
+#include "modules/fracture/existing_laws.hpp"
 #include "modules/fracture/strength_grades.hpp"
 #include "point/cohesive_encode.hpp"
 
@@ -57,7 +58,6 @@ Index require_material(const std::vector<Material>& materials, const Settings& s
 }
 
 void put(InterfaceLaws& laws, const Settings& section, const std::string& key, Index a, Index b) {
-  const auto law = static_cast<Index>(laws.laws.size());
   const auto at = [&](Index i, Index j) -> Index& {
     return laws.of_materials[static_cast<std::size_t>(i * laws.materials + j)];
   };
@@ -65,18 +65,7 @@ void put(InterfaceLaws& laws, const Settings& section, const std::string& key, I
     throw section.error(
         key, "faces between these materials have a law already",
         fmt::format("keep one of this and the one at {}", laws.sections[at(a, b)]->place()));
-  at(a, b) = at(b, a) = law;
-  const InterfaceLaw mean = read_law(section);
-  const std::vector<double> shares =
-      section.has("scatter") ? strength_grades(section.number("scatter")) : std::vector<double>{1};
-  for (const double share : shares) {
-    InterfaceLaw grade = mean;
-    grade.strength.tension = grade.onset.tension = mean.strength.tension * share;
-    grade.strength.cohesion = grade.onset.cohesion = mean.strength.cohesion * share;
-    laws.laws.push_back(grade);
-    laws.sections.push_back(&section);
-    laws.grades.push_back(static_cast<Index>(shares.size()));
-  }
+  at(a, b) = at(b, a) = append_laws(laws, section);
 }
 
 /// Heights h_f of the faces of a law, m.
@@ -137,6 +126,22 @@ void check_energies(const InterfaceLaw& law, const Settings& section, const Cohe
 
 }  // namespace
 
+Index append_laws(InterfaceLaws& laws, const Settings& section) {
+  const auto first = static_cast<Index>(laws.laws.size());
+  const InterfaceLaw mean = read_law(section);
+  const std::vector<double> shares =
+      section.has("scatter") ? strength_grades(section.number("scatter")) : std::vector<double>{1};
+  for (const double share : shares) {
+    InterfaceLaw grade = mean;
+    grade.strength.tension = grade.onset.tension = mean.strength.tension * share;
+    grade.strength.cohesion = grade.onset.cohesion = mean.strength.cohesion * share;
+    laws.laws.push_back(grade);
+    laws.sections.push_back(&section);
+    laws.grades.push_back(static_cast<Index>(shares.size()));
+  }
+  return first;
+}
+
 InterfaceLaws read_interface_laws(const Settings& scene, const std::vector<Material>& materials) {
   InterfaceLaws laws;
   laws.materials = static_cast<Index>(materials.size());
@@ -155,6 +160,7 @@ InterfaceLaws read_interface_laws(const Settings& scene, const std::vector<Mater
     put(laws, section, "between", require_material(materials, section, "between", names[0]),
         require_material(materials, section, "between", names[1]));
   }
+  read_existing_laws(scene, laws);
   return laws;
 }
 
@@ -177,6 +183,11 @@ std::vector<Index> law_of_faces(const InterfaceLaws& laws, const Model<D>& model
     const Index grades = first == kNone ? 1 : laws.grades[static_cast<std::size_t>(first)];
     const auto number = static_cast<std::uint64_t>(law.size());
     law.push_back(grades == 1 ? first : first + grade_of_face(laws.seed, number, grades));
+  }
+  put_existing_laws(laws, model, law);
+  for (std::size_t f = 0; f < law.size(); ++f) {
+    const SharedFace& face = model.topology.shared[f];
+    if (taken[face.left] || taken[face.right]) law[f] = kNone;
   }
   return law;
 }
@@ -206,6 +217,7 @@ void check_interface_laws(const InterfaceLaws& laws, const Model<D>& model) {
     }
     const CohesiveSprings k = springs_of(sides[h.material_left], sides[h.material_right], h.most,
                                          law.stiffness_factor, law.damping);
+    if (law.fault) continue;
     check_energies(law, section, k, h.most);
     const bool strongest = i + 1 == laws.laws.size() || laws.sections[i + 1] != &section;
     if (law.strength.tension == 0 || !strongest) continue;
@@ -228,9 +240,13 @@ Onset watch_for(const InterfaceLaws& laws, Index material) {
   Onset watch;
   std::vector<const InterfaceLaw*> list;
   double least = 1e300, most = 0;
-  for (Index other = 0; other < laws.materials; ++other) {
-    const Index i = laws.between(material, other);  // the first grade is the weakest
-    if (i == kNone || laws.laws[static_cast<std::size_t>(i)].at_start) continue;
+  std::vector<Index> candidates = weakest_existing(laws);  // of all bodies: it may be too low
+  for (Index other = 0; other < laws.materials; ++other)
+    candidates.push_back(laws.between(material, other));  // the first grade is the weakest
+  for (const Index i : candidates) {
+    if (i == kNone || laws.laws[static_cast<std::size_t>(i)].at_start ||
+        laws.laws[static_cast<std::size_t>(i)].fault)
+      continue;
     const InterfaceLaw& law = laws.laws[static_cast<std::size_t>(i)];
     list.push_back(&law);
     const double friction = law.onset.friction * (law.onset.elliptic ? law.onset.alpha : 1);

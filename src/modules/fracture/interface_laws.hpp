@@ -3,16 +3,25 @@
 #include "step/model.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace breccia {
 
-/// The laws of a scene and which pair of materials each belongs to.
+/// The law of a fracture that was there before, and those of its patches, which go first.
+struct ExistingLaw {
+  const Settings* section = nullptr;  ///< of [[fractures]]
+  Index law = kNone;
+  std::vector<std::pair<const Settings*, Index>> patches;
+};
+
+/// The laws of a scene and which faces each belongs to.
 struct InterfaceLaws {
   std::vector<InterfaceLaw> laws;
   std::vector<const Settings*> sections;  ///< where each was read
   std::vector<Index> grades;              ///< laws of that section: 1, or grades of strength
   std::vector<Index> of_materials;  ///< the first one, at left * materials + right; kNone: tied
+  std::vector<ExistingLaw> existing;
   Index materials = 0;
   int seed = 0;  ///< of the scene
 
@@ -21,7 +30,10 @@ struct InterfaceLaws {
   }
 };
 
-/// Reads [fracture.*] and [[interface]]. Throws Error with place.
+/// Appends the law of a section, one for each grade of strength; returns the first.
+Index append_laws(InterfaceLaws& laws, const Settings& section);
+
+/// Reads [fracture.*], [[interface]] and [[fractures]]. Throws Error with place.
 InterfaceLaws read_interface_laws(const Settings& scene, const std::vector<Material>& materials);
 
 /// The law of each shared face; kNone where no law belongs to its materials and inside composites,

@@ -1,0 +1,80 @@
+#include "loops/fault_force.hpp"
+
+#include "loops/compact.hpp"
+#include "point/interface_frame.hpp"
+
+namespace breccia {
+
+namespace {
+
+template <int D>
+struct FaultForceLoop {
+  InterfaceForceIn<D> in;
+  FrictionLaw friction;
+  FaultForceOut<D> out;
+
+  KOKKOS_FUNCTION
+  void operator()(Index k, Index& aged) const {
+    const Index i = in.list(k);
+    if (out.life(i) == interface_life::gone) return;
+    const InterfaceRecord& record = in.record(i);
+    Vec<D> middle[D], jump[D];
+    for (int c = 0; c < D; ++c) {
+      const Vec<D> l = row<D>(in.x, in.nodes(i, 0, c)), r = row<D>(in.x, in.nodes(i, 1, c));
+      middle[c] = (l + r) * 0.5;
+      jump[c] = r - l;
+    }
+    const InterfaceFrame<D> frame = frame_of(middle);
+    const Fault<D> law{friction, record.springs};
+
+    for (int c = 0; c < D; ++c) {
+      if (in.active(i, c) == 0) continue;
+      const Vec<D> t =
+          law.advance(out.fault(i, c), frame.to_local(jump[c]), in.rate, out.energy(i, c));
+      const Vec<D> force = frame.to_global(t) * (record.area / D);
+      for (int d = 0; d < D; ++d) out.force(i, c, d) = force[d];
+    }
+    aged += leave(i, law, jump, record.area);
+  }
+
+ private:
+  KOKKOS_FUNCTION
+  Index leave(Index i, const Fault<D>& law, const Vec<D> (&jump)[D], double area) const {
+    constexpr double kShare = 0.5;
+    double nearest = norm2(jump[0]);
+    for (int c = 1; c < D; ++c) nearest = Kokkos::min(nearest, norm2(jump[c]));
+    const double length =
+        (D == 2 ? area / in.thickness : Kokkos::sqrt(2 * area)) * (in.leave_broken ? kShare : 1.0);
+    if (nearest <= length * length || out.life(i) >= interface_life::leaving) return 0;
+    for (int c = 0; c < D; ++c) {
+      const FaultState<D>& s = out.fault(i, c);
+      const Vec<D - 1> tau = law.shear(s);
+      out.state(i, c).jump = s.jump;
+      for (int d = 0; d < D - 1; ++d)
+        out.state(i, c).plastic[d] = s.jump[d + 1] - tau[d] / law.springs.shear;
+    }
+    out.life(i) = interface_life::leaving;
+    return 1;
+  }
+};
+
+}  // namespace
+
+template <int D>
+Index fault_force(const InterfaceForceIn<D>& in, const FrictionLaw& friction,
+                  const FaultForceOut<D>& out) {
+  Index aged = 0;
+  if (in.count <= 0) return aged;
+  count_launch();
+  Kokkos::parallel_reduce("breccia::fracture::fault_force",
+                          Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, in.count),
+                          FaultForceLoop<D>{in, friction, out}, aged);
+  return aged;
+}
+
+template Index fault_force<2>(const InterfaceForceIn<2>&, const FrictionLaw&,
+                              const FaultForceOut<2>&);
+template Index fault_force<3>(const InterfaceForceIn<3>&, const FrictionLaw&,
+                              const FaultForceOut<3>&);
+
+}  // namespace breccia

@@ -1,0 +1,145 @@
+#include "modules/fracture/existing_laws.hpp"
+
+#include "mesh/geometry.hpp"
+#include "modules/fracture/strength_grades.hpp"
+
+#include <algorithm>
+
+namespace breccia {
+
+namespace {
+
+/// [xx, yy, zz, xy] or [xx, yy, zz, xy, yz, xz] of the scene.
+Sym<3> stress_of(const std::vector<double>& given) {
+  Sym<3> s = Sym<3>::zero();
+  for (int i = 0; i < 3; ++i) s(i, i) = given[static_cast<std::size_t>(i)];
+  s(0, 1) = given[3];
+  if (given.size() < 6) return s;
+  s(1, 2) = given[4];
+  s(0, 2) = given[5];
+  return s;
+}
+
+FrictionKind kind_of(const std::string& word) {
+  if (word == "static_dynamic") return FrictionKind::static_dynamic;
+  if (word == "slip_weakening") return FrictionKind::slip_weakening;
+  if (word == "velocity_weakening") return FrictionKind::velocity_weakening;
+  if (word == "ageing") return FrictionKind::ageing;
+  return word == "slip_law" ? FrictionKind::slip_law : FrictionKind::coulomb;
+}
+
+FrictionLaw friction_of(const Settings& s) {
+  FrictionLaw law;
+  law.kind = kind_of(s.text("law"));
+  law.at_rest = s.number("coefficient");
+  law.sliding = s.has("dynamic") ? s.number("dynamic") : law.at_rest;
+  if (s.has("weakening_slip")) law.length = s.number("weakening_slip");
+  if (s.has("weakening_speed")) law.speed = s.number("weakening_speed");
+  if (!law.has_state()) return law;
+  law.length = s.number("state_slip");
+  law.speed = s.number("reference_speed");
+  law.a = s.number("a");
+  law.b = s.number("b");
+  law.state = s.has("state") ? s.number("state") : law.length / law.speed;
+  return law;
+}
+
+InterfaceLaw fault_of(const Settings& s) {
+  InterfaceLaw law;
+  law.fault = true;
+  law.friction = friction_of(s);
+  law.stiffness_factor = s.number("stiffness_factor");
+  law.damping = s.number("damping");
+  law.onset.tension = law.onset.cohesion = 1e30;  // its tips do not weaken their neighbours
+  if (s.has("stress")) law.load = stress_of(s.vector("stress"));
+  return law;
+}
+
+Index append_fault(InterfaceLaws& laws, const Settings& section, const InterfaceLaw& law) {
+  laws.laws.push_back(law);
+  laws.sections.push_back(&section);
+  laws.grades.push_back(1);
+  return static_cast<Index>(laws.laws.size()) - 1;
+}
+
+/// A patch is the law of its fault with what it says otherwise.
+InterfaceLaw patch_of(const Settings& patch, InterfaceLaw law) {
+  if (patch.has("coefficient")) law.friction.at_rest = patch.number("coefficient");
+  if (patch.has("dynamic")) law.friction.sliding = patch.number("dynamic");
+  if (patch.has("stress")) law.load = stress_of(patch.vector("stress"));
+  return law;
+}
+
+template <int D>
+bool lies_in(const Settings& patch, const Point<D>& x) {
+  const auto &lower = patch.vector("lower"), &upper = patch.vector("upper");
+  for (int d = 0; d < D; ++d)
+    if (x[d] < lower[d] || x[d] > upper[d]) return false;
+  return true;
+}
+
+template <int D>
+Point<D> middle_of(const Mesh<D>& mesh, const ElementFace& face) {
+  Point<D> x{};
+  for (int i = 0; i < D; ++i)
+    x = along(x, 1.0 / D, mesh.point[mesh.element[face.element][face_node<D>(face.face, i)]]);
+  return x;
+}
+
+}  // namespace
+
+bool has_existing_laws(const Settings& scene) {
+  const auto& list = scene.list("fractures");
+  return std::any_of(list.begin(), list.end(),
+                     [](const Settings& s) { return s.text("kind") != "open"; });
+}
+
+void read_existing_laws(const Settings& scene, InterfaceLaws& laws) {
+  for (const Settings& section : scene.list("fractures")) {
+    if (section.text("kind") == "open") continue;
+    ExistingLaw entry{&section, kNone, {}};
+    if (section.text("kind") == "healed") {
+      entry.law = append_laws(laws, section.at("law"));
+    } else {
+      const InterfaceLaw law = fault_of(section.at("friction"));
+      entry.law = append_fault(laws, section.at("friction"), law);
+      for (const Settings& patch : section.list("patch"))
+        entry.patches.emplace_back(&patch, append_fault(laws, patch, patch_of(patch, law)));
+    }
+    laws.existing.push_back(entry);
+  }
+}
+
+template <int D>
+void put_existing_laws(const InterfaceLaws& laws, const Model<D>& model, std::vector<Index>& law) {
+  if (laws.existing.empty()) return;
+  const std::vector<Index> number = face_numbers<D>(model.topology);
+  for (const ExistingLaw& entry : laws.existing) {
+    const std::string name = entry.section->text("body") + "." + entry.section->name();
+    const Region* region = find_region(model.mesh, name);
+    if (region == nullptr)
+      throw entry.section->error("", "the mesh has no faces on it", "check its place");
+    const Index grades = laws.grades[static_cast<std::size_t>(entry.law)];
+    for (const ElementFace& face : region->faces) {
+      const Index n = number[static_cast<std::size_t>(face.element * (D + 1) + face.face)];
+      if (n < 0) continue;  // on the surface
+      Index chosen = entry.law;
+      if (grades > 1) chosen += grade_of_face(laws.seed, static_cast<std::uint64_t>(n), grades);
+      const Point<D> x = middle_of(model.mesh, face);
+      for (const auto& [patch, of_patch] : entry.patches)
+        if (lies_in<D>(*patch, x)) chosen = of_patch;
+      law[static_cast<std::size_t>(n)] = chosen;
+    }
+  }
+}
+
+std::vector<Index> weakest_existing(const InterfaceLaws& laws) {
+  std::vector<Index> list;
+  for (const ExistingLaw& entry : laws.existing) list.push_back(entry.law);
+  return list;
+}
+
+template void put_existing_laws(const InterfaceLaws&, const Model<2>&, std::vector<Index>&);
+template void put_existing_laws(const InterfaceLaws&, const Model<3>&, std::vector<Index>&);
+
+}  // namespace breccia
