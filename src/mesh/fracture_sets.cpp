@@ -186,6 +186,15 @@ double inside_of(const FracturePiece& piece, const Room& room) {
 
 }  // namespace
 
+std::array<Point<3>, 2> box_of(const BodyShape& body) {
+  const Room room = room_of(body);
+  return {room.lower, room.upper};
+}
+
+bool touches_inside(const BodyShape& body, const FracturePiece& piece) {
+  return inside_of(piece, room_of(body)) > 0;
+}
+
 FracturePiece disc_piece(const Point<3>& centre, const Point<3>& normal, double radius,
                          double size) {
   const double ask = 2 * kPi * radius / size;

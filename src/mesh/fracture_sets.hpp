@@ -33,6 +33,12 @@ std::vector<FracturePiece> draw_fractures(int dimension, const FractureSet& set,
                                           const BodyShape& body,
                                           const std::vector<FracturePiece>& others);
 
+/// Corners of the box about a body whose shape is in the scene. Throws Error for a file.
+std::array<Point<3>, 2> box_of(const BodyShape& body);
+
+/// Whether some of a piece lies inside the body.
+bool touches_inside(const BodyShape& body, const FracturePiece& piece);
+
 /// A disc as a regular polygon of the same area, its edges about `size` long.
 FracturePiece disc_piece(const Point<3>& centre, const Point<3>& normal, double radius,
                          double size);

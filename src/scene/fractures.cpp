@@ -3,6 +3,7 @@
 #include "mesh/fracture_faces.hpp"
 #include "mesh/fracture_files.hpp"
 #include "mesh/fracture_sets.hpp"
+#include "mesh/grains.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,6 +62,11 @@ std::vector<FracturePiece> pieces_of(const Settings& s, const Settings& scene,
     const Settings& planes = s.at("planes");
     pieces = parallel_planes(dimension, body, planes.number("spacing"),
                              direction_of(planes, dimension), point_of(planes.vector("through")));
+  } else if (s.has("grains")) {
+    const Settings& grains = s.at("grains");
+    const auto seed = grains.has("seed") ? grains.integer("seed") : scene.at("run").integer("seed");
+    pieces = grain_edges(body, grains.number("size"), grains.number("jitter"),
+                         static_cast<std::uint64_t>(seed));
   } else {
     std::vector<FracturePiece> others;
     for (const FractureNet& net : body.fractures)
@@ -83,7 +89,7 @@ std::vector<FractureNet> fractures_of(const Settings& scene, const std::filesyst
     net.name = s.name();
     if (s.has("size")) net.size = s.number("size");
     if (s.has("growth")) net.growth = s.number("growth");
-    net.drawn = s.has("set") || s.has("planes");
+    net.drawn = s.has("set") || s.has("planes") || s.has("grains");
     net.pieces = pieces_of(s, scene, folder, grown, dimension, stream);
     grown.fractures.push_back(net);
   }

@@ -63,6 +63,18 @@ void declare_planes(Schema& schema) {
   s.vector("through", unit::length).required().doc("A point of one of them.").example("[0, 0]");
 }
 
+void declare_grains(Schema& schema) {
+  auto s = schema.section("fractures[].grains")
+               .only_in(2)
+               .doc("Boundaries of Voronoi grains that fill the body.");
+  s.number("size", unit::length).above(0).required().doc("Across a grain.").example("3 mm");
+  s.number("jitter", unit::none)
+      .between(0, 0.45)
+      .by_default(0.35)
+      .doc("Random shift of their centres from a triangular lattice, in sizes; 0 gives hexagons.");
+  s.integer("seed").between(0, 2147483647).doc("run.seed if absent.").example("3");
+}
+
 /// Keys that one word asks for.
 void require(const Settings& s, const char* key, const std::string& for_what, Problems& problems) {
   if (!s.has(key)) problems.add(s.error(key, "is missing; " + for_what + " needs it"));
@@ -164,7 +176,8 @@ void declare_fracture_shape_keys(Schema& schema) {
   disc.number("diameter", unit::length).above(0).required().doc("Its diameter.").example("10 mm");
   declare_set(schema);
   declare_planes(schema);
-  s.exactly_one_of({"lines", "file", "disc", "set", "planes"});
+  declare_grains(schema);
+  s.exactly_one_of({"lines", "file", "disc", "set", "planes", "grains"});
 }
 
 void check_fracture_rules(const Settings& scene, Problems& problems) {

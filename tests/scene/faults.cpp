@@ -1,9 +1,12 @@
 // Fractures that are there before the start: in balance, sliding, open, healed.
 #include "harness/scenes.hpp"
+#include "harness/temp_folder.hpp"
 #include "mesh/geometry.hpp"
 #include "modules/fracture/fracture_fields.hpp"
 
 #include <gtest/gtest.h>
+
+#include <fstream>
 
 namespace breccia {
 namespace {
@@ -136,6 +139,27 @@ TEST(Faults, HealedPlanesBreakAtTheirStrength) {
   }
   EXPECT_EQ(world.store().count(Entity::interface), 8);
   EXPECT_NEAR(most, 1e5, 3e3);
+}
+
+// Two grains of one material in a mesh file: only the faces between them have the weak law.
+TEST(Faults, GrainsOfAMeshFileHaveALawOfTheirOwn) {
+  const TempFolder folder;
+  std::ofstream file(folder.path() + "/grains.msh");
+  file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 2 0 0\n"
+          "4 0 1 0\n5 1 1 0\n6 2 1 0\n$EndNodes\n$Elements\n4\n1 2 2 1 1 1 2 5\n"
+          "2 2 2 1 1 1 5 4\n3 2 2 1 1 2 3 6\n4 2 2 1 1 2 6 5\n$EndElements\n"
+          "$ElementData\n1\n\"grain\"\n1\n0\n3\n0\n1\n4\n1 7\n2 7\n3 8\n4 8\n"
+          "$EndElementData\n";
+  file.close();
+  BlockScene scene;
+  scene.file = folder.path() + "/grains.msh";
+  const std::string rest = "cohesion = 1e6\nenergy_tension = 500\nenergy_shear = 5000\n";
+  scene.more = "[fracture.m]\ntensile_strength = 4e5\n" + rest +
+               "[fracture.m.grains]\nfield = \"grain\"\ntensile_strength = 1e5\nalpha = 0\n" + rest;
+  SceneWorld<2> world(scene.text());
+  world.simulation.start();
+  EXPECT_EQ(world.store().count(Entity::interface), 1);
+  EXPECT_EQ(world.model().nodes(), 8);
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include "mesh/fracture_faces.hpp"
 #include "mesh/fracture_sets.hpp"
+#include "mesh/grains.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/topology.hpp"
 #include "mesh/validate.hpp"
 #include "unit/mesh_samples.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -48,6 +50,49 @@ TEST(MeshGmshFractures, DiscsInABoxKeepTheirRim) {
   EXPECT_EQ(build_topology(mesh).free.size(), free + 2 * faces);
   // Euler: a disc of F triangles and P points has 2 P - F - 2 points on its rim.
   EXPECT_EQ(mesh.points() - before, points - (2 * points - static_cast<Index>(faces) - 2));
+}
+
+/// Pieces of the body that the faces of a region separate.
+Index pieces_without(const Mesh<2>& mesh, const Region& region) {
+  std::vector<Index> root(static_cast<std::size_t>(mesh.elements()));
+  for (Index e = 0; e < mesh.elements(); ++e) root[e] = e;
+  const auto find = [&](Index e) {
+    while (root[e] != e) e = root[e] = root[root[e]];
+    return e;
+  };
+  Index pieces = mesh.elements();
+  const auto cut = [&](Index e, int f) {
+    return std::binary_search(region.faces.begin(), region.faces.end(), ElementFace{e, f});
+  };
+  for (const SharedFace& s : build_topology(mesh).shared) {
+    const Index a = find(s.left), b = find(s.right);
+    if (a == b || cut(s.left, s.left_face) || cut(s.right, s.right_face)) continue;
+    root[b] = a;
+    --pieces;
+  }
+  return pieces;
+}
+
+// Hexagons of 0.2 on a lattice: a grain takes 0.2^2 sqrt(3)/2 of the area; those at the sides are
+// cut, so that there are more by about half of those that the sides meet.
+TEST(MeshGmshFractures, GrainsFillTheBody) {
+  for (const double jitter : {0.0, 0.4}) {
+    BodyShape body = body_of("rock", Rectangle{{0, 0}, {1.4, 1.4}}, 0.07);
+    FractureNet net;
+    net.name = "grains";
+    net.drawn = true;
+    net.pieces = grain_edges(body, 0.2, jitter, 1);
+    EXPECT_EQ(net.pieces, grain_edges(body, 0.2, jitter, 1));
+    body.fractures = {net};
+    Mesh<2> mesh = mesh_one<2>(body);
+    add_fracture_region(mesh, 0, net, true);
+    const double whole = 1.96 / (0.04 * std::sqrt(0.75)), cut = 1.4 / 0.2 + 1.4 / 0.1732;
+    EXPECT_NEAR(pieces_without(mesh, *find_region(mesh, "rock.grains")), whole + cut, 0.15 * whole);
+    EXPECT_GT(assess_quality(mesh).min_angle.value, 5 / 57.3) << jitter;  // no slivers
+    // Side of a hexagon: 0.2 / sqrt(3), three of them to a grain.
+    if (jitter > 0) continue;
+    EXPECT_NEAR(face_area(mesh, "rock.grains") / (3 * 0.2 / std::sqrt(3.0) * whole), 1, 0.05);
+  }
 }
 
 }  // namespace

@@ -76,6 +76,16 @@ void declare_existing_law_keys(Schema& schema) {
                  .effect("fracture")
                  .doc("Strength of the faces of healed fractures.");
   add_law_keys(law);
+  auto grains = schema.section("fracture.*.grains")
+                    .effect("fracture")
+                    .doc(
+                        "Faces between grains of this material: where a number that the mesh file "
+                        "gives to its elements changes.");
+  grains.text("field")
+      .required()
+      .doc("Name of the $ElementData in the .msh file.")
+      .example("grain");
+  add_law_keys(grains);
   auto friction = schema.section("fractures[].friction")
                       .effect("fracture")
                       .doc("Friction of closed fractures, which have no strength.");

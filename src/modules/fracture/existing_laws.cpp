@@ -95,6 +95,10 @@ bool has_existing_laws(const Settings& scene) {
 }
 
 void read_existing_laws(const Settings& scene, InterfaceLaws& laws) {
+  for (const Settings& section : scene.children("fracture"))
+    if (section.has("grains"))
+      laws.grain_laws.push_back(
+          {&section.at("grains"), section.name(), append_laws(laws, section.at("grains"))});
   for (const Settings& section : scene.list("fractures")) {
     if (section.text("kind") == "open") continue;
     ExistingLaw entry{&section, kNone, {}};
@@ -111,7 +115,31 @@ void read_existing_laws(const Settings& scene, InterfaceLaws& laws) {
 }
 
 template <int D>
+void put_grain_laws(const InterfaceLaws& laws, const Model<D>& model, std::vector<Index>& law) {
+  for (const GrainLaw& grains : laws.grain_laws) {
+    const std::string& name = grains.section->text("field");
+    const auto field = model.mesh.fields.find(name);
+    if (field == model.mesh.fields.end() || field->second.components != 1)
+      throw grains.section->error("field", "no mesh has a number \"" + name + "\" per element",
+                                  "write it into the mesh file as $ElementData");
+    const std::vector<double>& grain = field->second.values;
+    const auto is_of = [&](Index e) {
+      return model.materials[model.body_material[model.mesh.body[e]]].name == grains.material;
+    };
+    const Index grades = laws.grades[static_cast<std::size_t>(grains.law)];
+    for (std::size_t f = 0; f < law.size(); ++f) {
+      const SharedFace& face = model.topology.shared[f];
+      if (grain[face.left] == grain[face.right] || !is_of(face.left) || !is_of(face.right))
+        continue;
+      law[f] = grains.law;
+      if (grades > 1) law[f] += grade_of_face(laws.seed, static_cast<std::uint64_t>(f), grades);
+    }
+  }
+}
+
+template <int D>
 void put_existing_laws(const InterfaceLaws& laws, const Model<D>& model, std::vector<Index>& law) {
+  put_grain_laws(laws, model, law);
   if (laws.existing.empty()) return;
   const std::vector<Index> number = face_numbers<D>(model.topology);
   for (const ExistingLaw& entry : laws.existing) {
@@ -136,6 +164,7 @@ void put_existing_laws(const InterfaceLaws& laws, const Model<D>& model, std::ve
 std::vector<Index> weakest_existing(const InterfaceLaws& laws) {
   std::vector<Index> list;
   for (const ExistingLaw& entry : laws.existing) list.push_back(entry.law);
+  for (const GrainLaw& grains : laws.grain_laws) list.push_back(grains.law);
   return list;
 }
 

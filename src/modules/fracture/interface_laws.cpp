@@ -187,7 +187,8 @@ std::vector<Index> law_of_faces(const InterfaceLaws& laws, const Model<D>& model
   put_existing_laws(laws, model, law);
   for (std::size_t f = 0; f < law.size(); ++f) {
     const SharedFace& face = model.topology.shared[f];
-    if (taken[face.left] || taken[face.right]) law[f] = kNone;
+    if (taken[face.left] || taken[face.right] || composite[face.left] == composite[face.right])
+      law[f] = kNone;
   }
   return law;
 }

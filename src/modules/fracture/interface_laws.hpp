@@ -15,6 +15,13 @@ struct ExistingLaw {
   std::vector<std::pair<const Settings*, Index>> patches;
 };
 
+/// The law of the faces between grains of one material.
+struct GrainLaw {
+  const Settings* section = nullptr;  ///< [fracture.NAME.grains]
+  std::string material;
+  Index law = kNone;
+};
+
 /// The laws of a scene and which faces each belongs to.
 struct InterfaceLaws {
   std::vector<InterfaceLaw> laws;
@@ -22,6 +29,7 @@ struct InterfaceLaws {
   std::vector<Index> grades;              ///< laws of that section: 1, or grades of strength
   std::vector<Index> of_materials;  ///< the first one, at left * materials + right; kNone: tied
   std::vector<ExistingLaw> existing;
+  std::vector<GrainLaw> grain_laws;
   Index materials = 0;
   int seed = 0;  ///< of the scene
 
