@@ -146,6 +146,8 @@ struct ContactForceLoop {
     p.tangential = p.normal * ratio;
     p.tangential_damping = p.damping * Kokkos::sqrt(ratio);
     p.friction = in.table(pair, 0);
+    p.dynamic_share = in.dynamic_share;
+    p.weakening_speed = in.weakening_speed;
     return p;
   }
 

@@ -35,6 +35,8 @@ struct ContactForceIn {
   Kokkos::View<const Index*, Memory> element_material;
   Kokkos::View<const Index*, Memory> family;  ///< of nodes; empty where nothing can break
   ContactTable table;
+  double dynamic_share = 1;    ///< of friction at speed
+  double weakening_speed = 0;  ///< m/s; 0: friction does not depend on it
   Index materials = 0;
   double dt_before = 0;  ///< s, of the step that led here
   double keep = 0;       ///< share of a jump of the potential that survives a step

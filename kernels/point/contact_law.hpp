@@ -1,5 +1,6 @@
 #pragma once
 #include "base/vec.hpp"
+#include "point/friction_law.hpp"
 
 namespace breccia {
 
@@ -20,7 +21,24 @@ struct ContactParameters {
   double tangential = 0;          ///< k_t, N/m
   double damping = 0;             ///< c, N s/m
   double tangential_damping = 0;  ///< c_t, N s/m
-  double friction = 0;            ///< mu, 1
+  double friction = 0;            ///< mu at rest, 1
+  double dynamic_share = 1;       ///< of mu that is left at speed
+  double weakening_speed = 0;     ///< v_c, m/s; 0: mu does not depend on the speed
+
+  /// eq:friction-1 (point/friction_law.hpp)
+  KOKKOS_FUNCTION
+  double coefficient(double speed) const {
+    if (!(weakening_speed > 0)) return friction;
+    const FrictionLaw law{FrictionKind::static_dynamic,
+                          friction,
+                          friction * dynamic_share,
+                          0,
+                          weakening_speed,
+                          0,
+                          0,
+                          0};
+    return law.coefficient(0, speed, 0);
+  }
 };
 
 /// Motion of the point relative to the target since the last step.
@@ -88,7 +106,7 @@ ContactResponse<D> contact_response(const ContactParameters& p, const ContactSta
     if (length2 > 0) e *= Kokkos::sqrt(norm2(old.slip) / length2);
     const Vec<D> before = e;
     e += v_t * motion.dt;  // eq:contact-2
-    const double cap = p.friction * pressing, size = p.tangential * norm(e);
+    const double cap = p.coefficient(norm(v_t)) * pressing, size = p.tangential * norm(e);
     s.slip = size <= cap ? e : e * (cap / size);  // eq:contact-3
     dragging = s.slip * p.tangential;
     if (size <= cap) {  // eq:contact-4

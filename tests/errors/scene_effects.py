@@ -55,6 +55,9 @@ PLACES = [
 ]
 
 EFFECT_KEYS = [
+    Case("friction that falls over no speed", base=EFFECTS,
+         edit=end_with("dynamic_share = 0.5\n"), at="dynamic_share",
+         says=["friction falls by a share and over a speed", "give dynamic_share and weakening_speed"]),
     Case("fracture of what is not there", base=EFFECTS,
          edit=[("[fracture.granite]", "[fracture.granit]")], at="[fracture.granit]",
          says=["fracture.granit: no material 'granit' in this scene. Did you mean 'granite'?"]),

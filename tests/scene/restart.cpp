@@ -181,6 +181,26 @@ TEST(Restart, RigidBodiesGoOnBitForBit) {
 }
 
 // The hash must be able to tell: one bit of one velocity changes it.
+// A fault that slides, and one through an open fracture; before its faces are there, and after.
+TEST(Restart, FaultsGoOnBitForBit) {
+  for (const char* law : {"law = \"slip_weakening\"\ncoefficient = 0.4\ndynamic = 0.2\n"
+                          "weakening_slip = 1e-4\n",
+                          "law = \"ageing\"\ncoefficient = 0.3\na = 0.01\nb = 0.02\n"
+                          "state_slip = 1e-5\n"}) {
+    BlockScene scene{2, "[1, 1]", "[4, 4]"};
+    scene.damping = 0.1;
+    scene.more = std::string(
+                     "[gravity]\nacceleration = [4.905, -8.4957]\n"
+                     "[[boundary]]\nwhere = \"b.bottom\"\nfixed = [0, 0]\n"
+                     "[[fractures]]\nname = \"f\"\nbody = \"b\"\nkind = \"closed\"\n"
+                     "lines = [[[0, 0.5], [1, 0.5]]]\n[fractures.friction]\n") +
+                 law +
+                 "[[fractures]]\nname = \"o\"\nbody = \"b\"\nkind = \"open\"\n"
+                 "lines = [[[0.5, 0.5], [0.5, 1]]]\n";
+    for (const int before : {0, 1, 300}) check_restart<2>(scene, before, 80);
+  }
+}
+
 TEST(Restart, HashSeesOneBit) {
   SceneWorld<2> world(BlockScene{}.text());
   world.simulation.start();

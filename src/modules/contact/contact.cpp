@@ -35,6 +35,8 @@ void Contact<D>::read_tables(const Model<D>& model) {
   rule_.fixed = contact.maybe_number("stiffness").value_or(0.0);
   rule_.damping = contact.number("damping");
   smooth_ = contact.text("direction") == "smooth";
+  dynamic_share_ = contact.maybe_number("dynamic_share").value_or(1.0);
+  weakening_speed_ = contact.maybe_number("weakening_speed").value_or(0.0);
   const auto& materials = model.materials;
   const std::size_t n = materials.size();
   std::vector<double> friction(n * n, contact.number("friction"));
@@ -117,6 +119,8 @@ void Contact<D>::act(Model<D>& model, const Clock& clock) {
   in.element_material = s.get<ElementMaterial>();
   if (s.has<FaceStatus>()) in.family = s.get<NodeFamily>();
   in.table = table_;
+  in.dynamic_share = dynamic_share_;
+  in.weakening_speed = weakening_speed_;
   in.materials = static_cast<Index>(model.materials.size());
   in.dt_before = clock.dt_before;
   in.keep = std::exp(-1 / kFading);

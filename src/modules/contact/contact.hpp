@@ -40,6 +40,7 @@ class Contact final : public Module<D> {
   ContactLists<D> lists_;
   ContactStiffness<D> rule_;
   ContactTable table_;
+  double dynamic_share_ = 1, weakening_speed_ = 0;
   CornerNumbers<D> corner_stiffness_;
   bool smooth_ = true;
   bool rubs_ = false;  ///< some friction coefficient is above zero

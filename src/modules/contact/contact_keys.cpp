@@ -10,6 +10,10 @@ void check_contact_rules(const Settings& scene, Problems& problems) {
   if (scene.at("run").integer("dimension") == 3)
     problems.add(contact.error("", "3D contact follows in a later release",
                                "leave [contact] out, or make the scene two-dimensional"));
+  if (contact.has("dynamic_share") != contact.has("weakening_speed"))
+    problems.add(contact.error(contact.has("dynamic_share") ? "dynamic_share" : "weakening_speed",
+                               "friction falls by a share and over a speed",
+                               "give dynamic_share and weakening_speed"));
   for (const Settings& pair : contact.list("pair"))
     if (pair.texts("between").empty() || pair.texts("between").size() > 2)
       problems.add(pair.error("between", "a pair has two materials",
@@ -27,6 +31,14 @@ void declare_contact_keys(Schema& schema) {
       .by_default(0.0)
       .example("0.3")
       .doc("Friction coefficient between all materials.");
+  contact.number("dynamic_share", unit::none)
+      .between(0, 1)
+      .example("0.7")
+      .doc("Share of every friction coefficient that is left at speed; all of it if absent.");
+  contact.number("weakening_speed", unit::velocity)
+      .above(0)
+      .example("0.1 m/s")
+      .doc("Speed of sliding over which friction falls to that share, as exp(-V / this).");
   contact.number("stiffness_factor", unit::none)
       .between(0.5, 1000)
       .by_default(5.0)
