@@ -2,6 +2,7 @@
 
 #include "loops/boundary.hpp"
 #include "loops/compact.hpp"
+#include "loops/face_traction.hpp"
 
 namespace breccia {
 
@@ -27,7 +28,8 @@ struct InsertionLoop {
     const Index law = in.law_of(face);
     const InterfaceLaw& l = in.laws(law);
     out.record(i) = {face, law, area,
-                     springs_of(in.side(ml), in.side(mr), height, l.stiffness_factor, l.damping)};
+                     springs_of(in.side(ml), in.side(mr), height, l.stiffness_factor, l.damping),
+                     dynamic_share(in.faces, in.shape, in.velocity, face, l.onset)};
     out.status(face) = kInserted;
     out.of_face(face) = i;
     out.life(i) = interface_life::acting;

@@ -15,6 +15,7 @@ struct FaceInsertionIn {
   ConstArray<InterfaceSide> side;    ///< per material
   ConstArray<std::uint16_t> law_of;  ///< law of each face that has one
   ConstArray<InterfaceLaw> laws;
+  ConstVectors<D> velocity;  ///< m/s, of nodes
   ConstArray<Index> list;
   Index first;
 };

@@ -37,7 +37,8 @@ struct StrainedLoop {
     for (int c = 0; c < D; ++c) any = (locked[c] = in.active(i, c) == 0) || any;
     if (!any) return;
     const FaceTraction<D> t = face_traction(in.faces, in.stress, face);
-    if (onset_of(in, face).measure(t.traction, t.normal) < 1) return;
+    const CohesiveOnset onset = onset_of(in, face).scaled(in.record(i).dynamic_share);
+    if (onset.measure(t.traction, t.normal) < 1) return;
     for (int c = 0; c < D; ++c) {
       if (!locked[c]) continue;
       raise(in.strained, family_at(in, face, c));
@@ -66,7 +67,10 @@ struct OnsetLoop {
     for (int c = 0; c < D; ++c) joins = joins || in.strained(family_at(in, face, c)) != 0;
     const double share = joins && kJoining < onset.alpha ? kJoining : onset.alpha;
     const FaceTraction<D> t = face_traction(in.faces, in.stress, face);
-    if (onset.measure(t.traction, t.normal) >= share) mark(k) = 1;
+    // Strength only grows with the rate, so that a face below it at rest need not ask.
+    if (onset.measure(t.traction, t.normal) < share) return;
+    const double grown = dynamic_share(in.faces, in.stress, in.velocity, face, onset);
+    if (onset.scaled(grown).measure(t.traction, t.normal) >= share) mark(k) = 1;
   }
 };
 

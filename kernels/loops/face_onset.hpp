@@ -13,9 +13,11 @@ struct FaceOnsetIn {
   ConstArray<std::uint8_t> hot;      ///< per element
   ConstArray<std::uint16_t> law_of;  ///< law of each face that has one
   ConstArray<InterfaceLaw> laws;
-  ConstArray<Index> family;      ///< of nodes
-  ConstArray<Index> of_face;     ///< interface of a face
-  CornerFlags<D> active;         ///< corners whose node has split
+  ConstArray<Index> family;   ///< of nodes
+  ConstArray<Index> of_face;  ///< interface of a face
+  CornerFlags<D> active;      ///< corners whose node has split
+  ConstArray<InterfaceRecord> record;
+  ConstVectors<D> velocity;      ///< m/s, of nodes
   Array<std::uint8_t> strained;  ///< families where a locked face is beyond its strength
 };
 

@@ -29,6 +29,7 @@ struct InterfaceRecord {
   Index face, law;
   double area;  ///< of the reference face, m2 (times thickness in the plane)
   CohesiveSprings springs;
+  double dynamic_share;  ///< of its strengths at rest, as it was at insertion
 };
 
 /// Energies of a corner so far, J/m2. `encoded` is that of the slip it was born with.

@@ -239,8 +239,11 @@ struct BalanceLoop {
   KOKKOS_FUNCTION
   void encode_cohesive(Index k, int c, const InterfaceLaw& law, const Vec<D>& local) const {
     const InterfaceRecord& record = in.record(k);
-    out.state(k, c) = law.z_curve ? encode<D, ZCurve>(law.strength, record.springs, local)
-                                  : encode<D, LinearSoftening>(law.strength, record.springs, local);
+    CohesiveStrength strength = law.strength;
+    strength.tension *= record.dynamic_share;
+    strength.cohesion *= record.dynamic_share;
+    out.state(k, c) = law.z_curve ? encode<D, ZCurve>(strength, record.springs, local)
+                                  : encode<D, LinearSoftening>(strength, record.springs, local);
     out.energy(k, c) = {0, 0, 0, 0, encoded_energy(record.springs, out.state(k, c))};
   }
 

@@ -126,6 +126,8 @@ void onset_check(benchmark::State& state) {
       s.get<NodeFamily>(),
       s.get<FaceInterface>(),
       s.get<InterfaceActive<D>>(),
+      s.get<InterfaceRecords>(),
+      s.get<NodeVelocity<D>>(),
       Array<std::uint8_t>("breccia::perf::strained",
                           static_cast<std::size_t>(model.mesh.points()))};
   Kokkos::deep_copy(s.get<ElementHot>(), std::uint8_t{1});

@@ -36,8 +36,9 @@ struct ExpressionNode;
 ///
 /// Numbers may carry a unit and are converted to SI. Operators + - * / ^ and parentheses, constant
 /// pi, functions of numbers or series (element by element): sqrt abs sin cos tan asin acos atan exp
-/// log min max; of a series: peak (largest magnitude), min, max, mean (over time), initial, final,
-/// at(s, t), arrival(s, threshold), slope(s, t0, t1), integral, time_of_peak.
+/// log min max; of a series: peak (largest magnitude), min, max, mean (over time) or
+/// mean(s, t0, t1), initial, final, at(s, t), arrival(s, threshold), slope(s, t0, t1), integral,
+/// time_of_peak.
 class Expression {
  public:
   /// \throws Error with an empty place; the cause names the column.

@@ -97,6 +97,19 @@ double mean(const Series& s, const Series& time) {
   return length > 0 ? integral(s, time) / length : s.front();
 }
 
+double mean_between(const Series& s, const Series& time, double from, double to) {
+  if (!(to > from)) fail("mean() from " + number_text(from) + " s to " + number_text(to) + " s");
+  Series inside{value_at(s, time, from)}, at{from};
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    if (time[i] <= from || time[i] >= to) continue;
+    inside.push_back(s[i]);
+    at.push_back(time[i]);
+  }
+  inside.push_back(value_at(s, time, to));
+  at.push_back(to);
+  return integral(inside, at) / (to - from);
+}
+
 /// Line of least squares through the samples of the interval.
 double slope(const Series& s, const Series& time, double from, double to) {
   double n = 0, mean_t = 0, mean_s = 0;
@@ -178,7 +191,8 @@ ExpressionValue series_function(const std::string& name, const Arguments& a, con
   const Series& s = series_of(name, a, time);
   if (name == "peak") return std::abs(s[index_of_peak(s)]);
   if (name == "time_of_peak") return time[index_of_peak(s)];
-  if (name == "mean") return mean(s, time);
+  if (name == "mean" && a.size() == 1) return mean(s, time);
+  if (name == "mean") return mean_between(s, time, scalar_of(name, a, 1), scalar_of(name, a, 2));
   if (name == "initial") return s.front();
   if (name == "final") return s.back();
   if (name == "integral") return integral(s, time);
@@ -225,6 +239,7 @@ bool is_function(const std::string& name) {
 
 bool takes(const std::string& name, std::size_t arguments) {
   if (name == "min" || name == "max") return arguments >= 1;
+  if (name == "mean") return arguments == 1 || arguments == 3;
   return arguments == wanted_arguments(name);
 }
 
@@ -233,6 +248,7 @@ std::string arguments_text(const std::string& name) {
   if (name == "at") return "a series and a time";
   if (name == "arrival") return "a series and a threshold";
   if (name == "slope") return "a series and two times";
+  if (name == "mean") return "a series, or a series and two times";
   return "one argument";
 }
 

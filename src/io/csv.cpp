@@ -7,6 +7,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 namespace breccia {
@@ -54,7 +57,8 @@ std::vector<std::string> event_columns(int dimension) {
   std::vector<std::string> names = {"time"};
   add_place(names, "", dimension);
   add_place(names, "normal_", dimension);
-  names.insert(names.end(), {"area", "mode", "energy_tension", "energy_shear"});
+  names.insert(names.end(),
+               {"area", "mode", "energy_tension", "energy_shear", "opening", "slip", "moment"});
   return names;
 }
 
@@ -62,6 +66,18 @@ std::vector<std::string> fragment_columns(int dimension) {
   std::vector<std::string> names = {"time", "frame", "fragment", "elements", "mass", "size"};
   add_place(names, "", dimension);
   add_place(names, "velocity_", dimension);
+  if (dimension == 3)
+    add_place(names, "spin_", dimension);
+  else
+    names.emplace_back("spin");
+  names.insert(names.end(), {"length", "width"});
+  return names;
+}
+
+std::vector<std::string> emission_columns(int dimension) {
+  std::vector<std::string> names = {"time", "duration"};
+  add_place(names, "", dimension);
+  names.insert(names.end(), {"breaks", "area", "mode", "energy", "moment", "magnitude"});
   return names;
 }
 
@@ -161,10 +177,49 @@ void EventWriter::write(std::span<const CrackEvent> events) {
     row = {event.time};
     add_vector(row, event.place, dimension_);
     add_vector(row, event.normal, dimension_);
-    row.insert(row.end(), {event.area, event.mode, event.energy_tension, event.energy_shear});
+    row.insert(row.end(), {event.area, event.mode, event.energy_tension, event.energy_shear,
+                           event.opening, event.slip, event.moment});
     table_.row(row);
   }
   table_.flush();
+}
+
+std::vector<CrackEvent> read_events(const std::string& path, int dimension, std::int64_t rows) {
+  std::vector<CrackEvent> events;
+  std::ifstream file(path);
+  std::string line, cell;
+  std::getline(file, line);
+  for (std::int64_t r = 0; r < rows && std::getline(file, line); ++r) {
+    std::vector<double> row;
+    std::stringstream cells(line);
+    while (std::getline(cells, cell, ',')) row.push_back(std::strtod(cell.c_str(), nullptr));
+    if (row.size() != event_columns(dimension).size())
+      throw Error(path, "row " + std::to_string(r + 1) + " is damaged",
+                  "restore the file of the interrupted run, or start again with --overwrite");
+    CrackEvent event;
+    const double* at = row.data();
+    event.time = *at++;
+    for (int d = 0; d < dimension; ++d) event.place[d] = *at++;
+    for (int d = 0; d < dimension; ++d) event.normal[d] = *at++;
+    for (double* value : {&event.area, &event.mode, &event.energy_tension, &event.energy_shear,
+                          &event.opening, &event.slip, &event.moment})
+      *value = *at++;
+    events.push_back(event);
+  }
+  return events;
+}
+
+void write_emissions(const std::string& path, int dimension, std::span<const EmissionRow> rows) {
+  CsvTable table(path, emission_columns(dimension));
+  std::vector<double> row;
+  for (const EmissionRow& one : rows) {
+    row = {one.time, one.duration};
+    add_vector(row, one.place, dimension);
+    row.insert(row.end(), {static_cast<double>(one.breaks), one.area, one.mode, one.energy,
+                           one.moment, one.magnitude});
+    table.row(row);
+  }
+  table.flush();
 }
 
 FragmentWriter::FragmentWriter(std::string path, int dimension)
@@ -185,6 +240,8 @@ void FragmentWriter::write(double time, std::int64_t frame,
            piece.size};
     add_vector(row, piece.place, dimension_);
     add_vector(row, piece.velocity, dimension_);
+    row.insert(row.end(), piece.spin.begin() + (dimension_ == 3 ? 0 : 2), piece.spin.end());
+    row.insert(row.end(), {piece.length, piece.width});
     table_.row(row);
   }
   table_.flush();

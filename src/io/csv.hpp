@@ -71,7 +71,12 @@ struct CrackEvent {
   double area = 0;                              ///< [m2]
   double mode = 1;                              ///< 1 tension ... 2 shear
   double energy_tension = 0, energy_shear = 0;  ///< [J]
+  double opening = 0, slip = 0;                 ///< [m]
+  double moment = 0;                            ///< [N m] scalar seismic moment
 };
+
+/// The first rows of an events.csv.
+std::vector<CrackEvent> read_events(const std::string& path, int dimension, std::int64_t rows);
 
 /// events.csv: one row per released interface, in the order given.
 class EventWriter {
@@ -87,6 +92,21 @@ class EventWriter {
   CsvTable table_;
 };
 
+/// Breaks near one another in space and time: what a sensor of acoustic emission hears as one.
+struct EmissionRow {
+  double time = 0, duration = 0;     ///< [s] of the first break; until the last one
+  std::array<double, 3> place = {};  ///< [m] centre of the energy
+  std::int64_t breaks = 0;
+  double area = 0;       ///< [m2]
+  double mode = 1;       ///< 1 tension ... 2 shear
+  double energy = 0;     ///< [J] that breaking has cost
+  double moment = 0;     ///< [N m]
+  double magnitude = 0;  ///< moment magnitude
+};
+
+/// emissions.csv, written as a whole. Throws Error.
+void write_emissions(const std::string& path, int dimension, std::span<const EmissionRow> rows);
+
 /// One connected piece of solid.
 struct FragmentRow {
   std::int64_t fragment = 0;  ///< number in this frame, by falling mass
@@ -95,6 +115,8 @@ struct FragmentRow {
   double size = 0;                   ///< [m] edge of the square or cube of the same area or volume
   std::array<double, 3> place = {};  ///< [m] centre of mass
   std::array<double, 3> velocity = {};  ///< [m/s] of the centre of mass
+  std::array<double, 3> spin = {};      ///< [rad/s]; in the plane only the last one
+  double length = 0, width = 0;  ///< [m] longest and shortest edge of the brick that turns alike
 };
 
 /// fragments.csv: every fragment at every frame.

@@ -20,6 +20,7 @@ class RunFolder {
   [[nodiscard]] std::string scene() const { return path_ + "/scene.toml"; }
   [[nodiscard]] std::string history() const { return path_ + "/history.csv"; }
   [[nodiscard]] std::string events() const { return path_ + "/events.csv"; }
+  [[nodiscard]] std::string emissions() const { return path_ + "/emissions.csv"; }
   [[nodiscard]] std::string fragments() const { return path_ + "/fragments.csv"; }
   [[nodiscard]] std::string checkpoint() const { return path_ + "/checkpoint.h5"; }
   [[nodiscard]] std::string report() const { return path_ + "/report.json"; }

@@ -140,11 +140,10 @@ Frame as_frame(const CrackFrame& cracks, double time, std::int64_t step) {
   frame.points = cracks.points;
   frame.cell = cracks.dimension == 2 ? CellType::line : CellType::triangle;
   frame.connectivity = cracks.connectivity;
-  frame.cell_arrays = {{"damage", "1", 1, cracks.damage},
-                       {"mode", "1", 1, cracks.mode},
-                       {"opening", "m", 1, cracks.opening},
-                       {"slip", "m", 1, cracks.slip},
-                       {"status", "1", 1, cracks.status}};
+  frame.cell_arrays = {{"damage", "1", 1, cracks.damage},   {"mode", "1", 1, cracks.mode},
+                       {"opening", "m", 1, cracks.opening}, {"slip", "m", 1, cracks.slip},
+                       {"status", "1", 1, cracks.status},   {"time", "s", 1, cracks.time},
+                       {"energy", "J/m2", 1, cracks.energy}};
   frame.time = time;
   frame.step = step;
   return frame;

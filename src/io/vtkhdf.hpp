@@ -43,9 +43,11 @@ struct CrackFrame {
   std::span<const std::int32_t> connectivity;
   std::span<const double> damage;        ///< 0 intact ... 1 broken
   std::span<const double> mode;          ///< 1 tension ... 2 shear
-  std::span<const double> opening;       ///< [m] largest opening so far
-  std::span<const double> slip;          ///< [m] largest slip so far
+  std::span<const double> opening;       ///< [m] opening
+  std::span<const double> slip;          ///< [m] slip
   std::span<const std::int32_t> status;  ///< 1 inserted (cohesive), 2 released (broken)
+  std::span<const double> time;          ///< [s] when it broke; -1 while it holds
+  std::span<const double> energy;        ///< [J/m2] spent per area
 };
 
 Frame as_frame(const CrackFrame& cracks, double time, std::int64_t step);

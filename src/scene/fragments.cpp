@@ -1,9 +1,12 @@
 #include "scene/fragments.hpp"
 
 #include "base/mat.hpp"
+#include "base/views.hpp"
 #include "core/disjoint_sets.hpp"
+#include "point/principal.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace breccia {
 
@@ -39,6 +42,67 @@ std::vector<Index> roots(const Model<D>& model) {
   return root;
 }
 
+/// Sums over the elements of a piece. Positions and velocities are linear in each, so that a
+/// product of two has the integral m / ((D+1)(D+2)) (sum_a f_a g_a + sum_a f_a sum_b g_b).
+template <int D>
+struct Moments {
+  double mass = 0;
+  Vec<D> place = Vec<D>::zero(), velocity = Vec<D>::zero();  ///< kg m, kg m/s
+  Mat<D> second = Mat<D>::zero();                            ///< x x, kg m2
+  Mat<D> turning = Mat<D>::zero();                           ///< x v, kg m2/s
+
+  void add(double m, const Vec<D> (&x)[D + 1], const Vec<D> (&v)[D + 1]) {
+    Vec<D> sum_x = Vec<D>::zero(), sum_v = Vec<D>::zero();
+    for (int a = 0; a <= D; ++a) {
+      sum_x += x[a];
+      sum_v += v[a];
+    }
+    mass += m;
+    place += sum_x * (m / (D + 1));
+    velocity += sum_v * (m / (D + 1));
+    const double share = m / ((D + 1) * (D + 2));
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) {
+        for (int a = 0; a <= D; ++a) {
+          second(i, j) += share * x[a][i] * x[a][j];
+          turning(i, j) += share * x[a][i] * v[a][j];
+        }
+        second(i, j) += share * sum_x[i] * sum_x[j];
+        turning(i, j) += share * sum_x[i] * sum_v[j];
+      }
+  }
+
+  void describe(Fragments::Piece& piece) const {
+    Sym<D> spread;  // about the centre of mass
+    for (int i = 0; i < D; ++i) {
+      piece.place[i] = place[i] / mass;
+      piece.velocity[i] = velocity[i] / mass;
+      for (int j = i; j < D; ++j) spread(i, j) = second(i, j) - place[i] * place[j] / mass;
+    }
+    const Principal<D> axes = principal_of(spread);
+    double most = axes.value[0], least = axes.value[0];
+    for (int i = 1; i < D; ++i) {
+      most = std::max(most, axes.value[i]);
+      least = std::min(least, axes.value[i]);
+    }
+    piece.length = std::sqrt(12 * std::max(0.0, most) / mass);  // m L^2 / 12 along an edge
+    piece.width = std::sqrt(12 * std::max(0.0, least) / mass);
+    const auto angular = [&](int i, int j) {
+      return turning(i, j) - turning(j, i) -
+             (place[i] * velocity[j] - place[j] * velocity[i]) / mass;
+    };
+    if constexpr (D == 2) {
+      piece.spin[2] = angular(0, 1) / trace(spread);
+    } else {
+      Mat<D> inertia;
+      for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j) inertia(i, j) = (i == j ? trace(spread) : 0) - spread(i, j);
+      const Vec<D> spin = inverse(inertia) * Vec<D>{angular(1, 2), angular(2, 0), angular(0, 1)};
+      for (int d = 0; d < D; ++d) piece.spin[d] = spin[d];
+    }
+  }
+};
+
 }  // namespace
 
 template <int D>
@@ -54,6 +118,7 @@ Fragments find_fragments(const Model<D>& model) {
       Kokkos::HostSpace{}, model.store.template get<ElementReference<D>>());
 
   std::vector<Fragments::Piece> pieces(root.size());
+  std::vector<Moments<D>> moments(root.size());
   for (Index e = 0; e < model.elements(); ++e) {
     Mat<D> inverse_edges;
     for (int i = 0; i < D; ++i)
@@ -64,11 +129,12 @@ Fragments find_fragments(const Model<D>& model) {
     ++piece.elements;
     piece.mass += mass;
     piece.volume += volume;
-    for (int a = 0; a <= D; ++a)
-      for (int d = 0; d < D; ++d) {
-        piece.place[d] += mass * x(nodes(e, a), d) / (D + 1);
-        piece.velocity[d] += mass * v(nodes(e, a), d) / (D + 1);
-      }
+    Vec<D> at[D + 1], moving[D + 1];
+    for (int a = 0; a <= D; ++a) {
+      at[a] = row<D>(x, nodes(e, a));
+      moving[a] = row<D>(v, nodes(e, a));
+    }
+    moments[root[e]].add(mass, at, moving);
   }
   std::vector<Index> order;
   for (std::size_t r = 0; r < pieces.size(); ++r)
@@ -81,10 +147,7 @@ Fragments find_fragments(const Model<D>& model) {
   for (const Index r : order) {
     number[r] = static_cast<Index>(out.pieces.size());
     Fragments::Piece piece = pieces[r];
-    for (int d = 0; d < D; ++d) {
-      piece.place[d] /= piece.mass;
-      piece.velocity[d] /= piece.mass;
-    }
+    moments[r].describe(piece);
     out.pieces.push_back(piece);
   }
   out.of_element.resize(root.size());

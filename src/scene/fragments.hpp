@@ -14,6 +14,9 @@ struct Fragments {
     double volume = 0;        ///< m3 (area times thickness in the plane)
     double place[3] = {};     ///< m, centre of mass
     double velocity[3] = {};  ///< m/s
+    double spin[3] = {};      ///< rad/s, about the centre of mass; in the plane only the last one
+    /// Longest and shortest edge of the brick or rectangle with its moments of mass, m.
+    double length = 0, width = 0;
   };
   std::vector<Piece> pieces;
 };

@@ -41,6 +41,8 @@ void FrameBuilder<D>::add_cracks(const std::vector<CrackFace>& cracks) {
     opening_.push_back(face.opening);
     slip_.push_back(face.slip);
     status_.push_back(face.status);
+    break_time_.push_back(face.time);
+    energy_.push_back(face.energy / face.area);
   }
 }
 
@@ -76,6 +78,8 @@ void FrameBuilder<D>::write(FrameSeries& series) const {
   cracks.opening = opening_;
   cracks.slip = slip_;
   cracks.status = status_;
+  cracks.time = break_time_;
+  cracks.energy = energy_;
   series.write(frame, cracks);
 }
 

@@ -27,7 +27,7 @@ class FrameBuilder {
   bool with_cracks_;
   std::vector<double> points_, displacement_, velocity_;
   std::vector<std::int32_t> connectivity_, body_, fragment_;
-  std::vector<double> crack_points_, damage_, mode_, opening_, slip_;
+  std::vector<double> crack_points_, damage_, mode_, opening_, slip_, break_time_, energy_;
   std::vector<std::int32_t> crack_connectivity_, status_;
 };
 

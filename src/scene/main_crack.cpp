@@ -1,6 +1,7 @@
 #include "scene/main_crack.hpp"
 
 #include "core/disjoint_sets.hpp"
+#include "mesh/geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,43 @@ std::vector<CrackFace> largest_cluster(const std::vector<CrackFace>& all) {
   for (Index i = 0; i < count; ++i)
     if (clusters.root(i) == best->first) cluster.push_back(faces[i]);
   return cluster;
+}
+
+/// How far the crack had come, and when.
+struct Advance {
+  double time, reach;
+};
+
+template <int D>
+std::vector<Advance> advances(std::vector<CrackFace> faces, const std::vector<Point<D>>& point) {
+  std::stable_sort(faces.begin(), faces.end(),
+                   [](const CrackFace& a, const CrackFace& b) { return a.time < b.time; });
+  Point<D> origin{};
+  for (int c = 0; c < D; ++c)
+    for (std::size_t d = 0; d < D; ++d) origin[d] += point[faces.front().family[c]][d] / D;
+  std::vector<Advance> way{{faces.front().time, 0}};
+  for (const CrackFace& face : faces)
+    for (int c = 0; c < D; ++c) {
+      const double reach = length(minus(point[face.family[c]], origin));
+      if (reach > way.back().reach) way.push_back({face.time, reach});
+    }
+  return way;
+}
+
+/// Shares of its way over which the speed of a crack is taken: more than single faces, which
+/// break in jumps.
+constexpr double kWindow = 0.2;
+
+double greatest_speed(const std::vector<Advance>& way) {
+  const double window = kWindow * way.back().reach;
+  double speed = 0;
+  std::size_t from = 0;
+  for (const Advance& to : way) {
+    while (from + 1 < way.size() && way[from + 1].reach <= to.reach - window) ++from;
+    const double passed = to.time - way[from].time, run = to.reach - way[from].reach;
+    if (run >= window && passed > 0) speed = std::max(speed, run / passed);
+  }
+  return speed;
 }
 
 }  // namespace
@@ -69,6 +107,9 @@ MainCrack find_main_crack(const std::vector<CrackFace>& all, const std::vector<P
       high = std::max(high, along);
     }
   crack.length = high - low;
+  const std::vector<Advance> way = advances<D>(faces, point);
+  crack.start = way.front().time;
+  crack.speed = greatest_speed(way);
   return crack;
 }
 

@@ -13,6 +13,9 @@ struct MainCrack {
   double area = 0;        ///< m2 of all its faces (length times thickness in the plane)
   double angle = 0;       ///< rad, of its principal axis in x and y against x, in (-pi/2, pi/2]
   double centre[3] = {};  ///< m, centre of area
+  double start = 0;       ///< s, when its first face broke
+  /// Of its tip, m/s: the most over a fifth of its way, straight from where it began.
+  double speed = 0;
 };
 
 /// Of the released faces; `point` are the points of the mesh.

@@ -142,7 +142,8 @@ template <int D>
 std::vector<double> initial_velocity(const Settings& scene, const Model<D>& model) {
   std::vector<double> velocity;
   for (const Settings& body : scene.list("body")) {
-    if (!body.has("velocity") && !body.has("spin")) continue;
+    if (!body.has("velocity") && !body.has("spin") && !body.has("expansion")) continue;
+    const double expansion = body.has("expansion") ? body.number("expansion") : 0.0;
     velocity.resize(model.mesh.point.size() * D, 0.0);
     const Index number = find_body(model.mesh, body.name());
     Vec<D> centre = Vec<D>::zero();
@@ -175,7 +176,8 @@ std::vector<double> initial_velocity(const Settings& scene, const Model<D>& mode
       const Vec<3> turning = cross(spin, arm);
       for (int d = 0; d < D; ++d)
         velocity[static_cast<std::size_t>(n) * D + d] =
-            turning[d] + (body.has("velocity") ? body.vector("velocity")[d] : 0.0);
+            turning[d] + expansion * arm[d] +
+            (body.has("velocity") ? body.vector("velocity")[d] : 0.0);
     }
   }
   return velocity;

@@ -1,6 +1,7 @@
 #include "scene/recorder.hpp"
 
 #include "modules/fracture/fracture.hpp"
+#include "scene/emissions.hpp"
 #include "scene/frame_builder.hpp"
 
 #include <algorithm>
@@ -17,6 +18,9 @@ constexpr double kDefaultRows = 1000;
 
 /// Round-off of summed steps: an instant that is this near (in steps) counts as reached.
 constexpr double kNear = 1e-6;
+
+/// Breaks that are this many faces apart or nearer may be one emission.
+constexpr double kReachInFaces = 3;
 
 template <int D>
 void observe_before(Simulation<D>& simulation, Row& row, Ledger& ledger) {
@@ -57,6 +61,7 @@ Recorder<D>::Recorder(Simulation<D>& simulation, const RunFolder& folder, const 
   const Settings& output = scene.at("output");
   interval_ = output.has("history") ? output.number("history") : duration_ / kDefaultRows;
   frames_ = output.integer("frames");
+  if (output.has("emission_reach")) emission_reach_ = output.number("emission_reach");
 }
 
 template <int D>
@@ -173,6 +178,9 @@ void Recorder<D>::write_fragments(const Fragments& fragments) {
         D == 2 ? std::sqrt(piece.volume / simulation_.model().thickness) : std::cbrt(piece.volume);
     std::copy_n(piece.place, 3, row.place.begin());
     std::copy_n(piece.velocity, 3, row.velocity.begin());
+    std::copy_n(piece.spin, 3, row.spin.begin());
+    row.length = piece.length;
+    row.width = piece.width;
     rows.push_back(row);
   }
   fragment_file_->write(simulation_.clock().time, fragment_frame_++, rows);
@@ -192,9 +200,29 @@ void Recorder<D>::write_events() {
       row.mode = event.mode;
       row.energy_tension = event.energy_tension;
       row.energy_shear = event.energy_shear;
+      row.opening = event.opening;
+      row.slip = event.slip;
+      row.moment = event.moment;
       rows.push_back(row);
     }
   if (!rows.empty()) event_file_->write(rows);
+}
+
+/// Reaches three faces unless the scene says otherwise; cracks run at half the speed of the slowest
+/// shear waves.
+template <int D>
+void Recorder<D>::finish() {
+  if (!event_file_) return;
+  const std::vector<CrackEvent> events = read_events(folder_.events(), D, event_file_->rows());
+  const Model<D>& model = simulation_.model();
+  double area = 0, shear_wave = 1e300;
+  for (const CrackEvent& event : events) area += event.area;
+  for (const Material& m : model.materials)
+    shear_wave = std::min(shear_wave, std::sqrt(m.mu() / m.density));
+  const double mean = events.empty() ? 1 : area / static_cast<double>(events.size());
+  const double face = D == 2 ? mean / model.thickness : std::sqrt(2 * mean);
+  const double reach = emission_reach_ > 0 ? emission_reach_ : kReachInFaces * face;
+  write_emissions(folder_.emissions(), D, find_emissions(events, {reach, 2 * reach / shear_wave}));
 }
 
 template <int D>

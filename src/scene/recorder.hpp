@@ -33,6 +33,8 @@ class Recorder {
   void after();
   /// From now on every state is seen: for the closing kick of the run.
   void expect_last() { final_ = true; }
+  /// What can be told when no face breaks any more: emissions.csv.
+  void finish();
   /// State of the files, all of it on the disk.
   OutputState sync();
 
@@ -54,6 +56,7 @@ class Recorder {
   Simulation<D>& simulation_;
   const RunFolder& folder_;
   double duration_, interval_;
+  double emission_reach_ = 0;  ///< m; 0: by the faces that broke
   std::int64_t frames_;
   std::int64_t next_history_ = 0, next_frame_ = 0;
   bool final_ = false;

@@ -149,6 +149,7 @@ class Run {
     }
     recorder_->expect_last();
     simulation_.close({[this] { recorder_->before(); }, [this] { recorder_->after(); }});
+    recorder_->finish();
   }
 
   Results results(const Report& report) const {

@@ -142,6 +142,11 @@ void declare_body_keys(Schema& schema) {
   s.rotation("spin", unit::angular_velocity)
       .doc("Rotation at the start about the body's centre of mass; none if absent.")
       .example("100 rad/s");
+  s.number("expansion", unit::frequency)
+      .doc(
+          "Rate of stretching at the start, alike in all directions and about the body's centre of "
+          "mass; none if absent.")
+      .example("1e4 1/s");
   s.flag("rigid").by_default(false).doc(
       "true: it does not deform; it moves and turns as a whole, with the mass and inertia of its "
       "mesh's nodes.");

@@ -87,6 +87,13 @@ void declare_output(Schema& schema) {
   s.texts("fields")
       .doc("Fields of the frames; all that the effects offer if absent.")
       .example("[\"velocity\", \"stress\"]");
+  s.number("emission_reach", unit::length)
+      .above(0)
+      .example("5 mm")
+      .doc(
+          "Faces that break within this distance, and within the time that a crack at half the "
+          "speed of shear waves needs for it, are one row of emissions.csv; three times the mean "
+          "size of the faces that broke if absent.");
   s.number("checkpoint", unit::time)
       .above(0)
       .by_default("10 min")

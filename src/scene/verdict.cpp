@@ -85,6 +85,8 @@ Numbers result_numbers(const Report& report, const MainCrack& crack) {
           {"crack.x", crack.centre[0]},
           {"crack.y", crack.centre[1]},
           {"crack.z", crack.centre[2]},
+          {"crack.start", crack.start},
+          {"crack.speed", crack.speed},
           {"rest.reached", report.rest.reached ? 1.0 : 0.0},
           {"rest.time", report.rest.time},
           {"rest.unbalance", report.rest.unbalance},

@@ -43,6 +43,8 @@ struct CrackFace {
   double mode;  ///< 1 tension ... 2 shear
   int status;   ///< face_status
   double area;
+  double energy;  ///< J, that breaking it has cost so far
+  double time;    ///< s, when it broke; -1 while it holds
 };
 
 /// What modules draw on for one frame.
@@ -60,6 +62,8 @@ struct Event {
   double mode;                          ///< 1 tension ... 2 shear
   double area;                          ///< m2
   double energy_tension, energy_shear;  ///< J
+  double opening, slip;                 ///< m, across and along the face
+  double moment;                        ///< N m, scalar seismic moment
 };
 
 /// Counts that the report and the checks ask for.

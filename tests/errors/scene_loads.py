@@ -172,6 +172,8 @@ MOVED = 'velocity = ["0.1 m/s", "free"]'
 RIGID = [
     Case("rigid perhaps", edit=[('name     = "plate"', 'name     = "plate"\nrigid = "yes"')],
          at='"yes"', says=["body.plate.rigid"]),
+    Case("stretching what is rigid", edit=[(RIGID_PLATE[0], RIGID_PLATE[1] + "\nexpansion = 3")],
+         at="expansion", says=["body.plate.expansion: a rigid body does not stretch"]),
     Case("turning what deforms", edit=[(MOVED, MOVED + "\nspin = 3")], at="spin = 3",
          says=["only a rigid body can be told how it turns", "rigid = true"]),
     Case("a pivot that is none", edit=[RIGID_PLATE, (MOVED, MOVED + "\npivot = false")], at="pivot",

@@ -241,7 +241,8 @@ Frame SampleState::frame(double time, std::int64_t step) const {
 }
 
 CrackFrame SampleState::cracks() const {
-  return {dimension, crack_points, crack_cells, damage, mode, opening, slip, status};
+  return {dimension, crack_points, crack_cells, damage, mode,
+          opening,   slip,         status,      damage, damage};
 }
 
 SampleState sample_disc(int rings, double progress) {
@@ -299,7 +300,7 @@ void write_sample_run(const std::string& path, const std::string& kind, int fram
   HistoryWriter history(folder.history(), history_columns());
   for (int k = 0; k < rows; ++k) history.write(history_row(k, rows));
   EventWriter events(folder.events(), kind == "disc" ? 2 : 3);
-  const CrackEvent event = {7e-4, {0, 0, 0}, {1, 0, 0}, 1e-3, 1.1, 0.05, 0.01};
+  const CrackEvent event = {7e-4, {0, 0, 0}, {1, 0, 0}, 1e-3, 1.1, 0.05, 0.01, 2e-5, 5e-6, 1e3};
   events.write(std::array{event});
   write_report(sample_report(kind, history_row(rows - 1, rows)), folder.report());
 }

@@ -120,5 +120,21 @@ TEST(FractureBar, StrengthAndEnergyDoNotDependOnAlpha3d) {
   for (const std::string alpha : {"0", "0.95"}) check_bar<3>(alpha, "linear");
 }
 
+/// Uniform stretching at kRate, eight times the reference: twice the strength, the same energy.
+template <int D>
+void check_rate() {
+  Bar<D> bar(
+      Bar<D>::scene("0.95", "linear", "rate_reference = 5\nrate_exponent = 0.3333333333333333\n"));
+  const Outcome out = pull_apart(bar);
+  EXPECT_NEAR(out.peak / (2 * kStrength * Bar<D>::area), 1, 0.01);
+  EXPECT_NEAR(out.end.value("IF_G1") / (kEnergy * Bar<D>::area), 1, 1e-4);
+  EXPECT_LT(out.worst_2, 1e-3);
+}
+
+TEST(FractureBar, StrengthFollowsTheRateAtInsertion) {
+  check_rate<2>();
+  check_rate<3>();
+}
+
 }  // namespace
 }  // namespace breccia

@@ -35,6 +35,21 @@ TEST(CohesiveOnset, MeasureIsContinuousThroughZeroNormalTraction) {
       EXPECT_NEAR(measure(onset, 1e-3, t_s), measure(onset, -1e-3, t_s), 1e-9);
 }
 
+// eq:cohesive-22
+TEST(CohesiveOnset, StrengthGrowsWithTheRateToItsLimit) {
+  CohesiveOnset onset = kOnset;
+  EXPECT_EQ(onset.dynamic_share(1e6), 1);
+  onset.rate_reference = 10;
+  onset.rate_exponent = 1.0 / 3;
+  onset.rate_limit = 3;
+  EXPECT_EQ(onset.dynamic_share(0), 1);
+  EXPECT_EQ(onset.dynamic_share(9.9), 1);
+  EXPECT_NEAR(onset.dynamic_share(80), 2, 1e-15);
+  EXPECT_EQ(onset.dynamic_share(1e6), 3);
+  EXPECT_NEAR(measure(onset.scaled(2), 16e6, 0), 1, 1e-15);
+  EXPECT_NEAR(measure(onset.scaled(2), -10e6, 48e6 + kMu * 10e6), 1, 1e-15);
+}
+
 // The prefilter of the element loop must never miss a plane.
 template <int D>
 void check_watch(const CohesiveOnset& onset, const StressWatch& watch, bool tight) {

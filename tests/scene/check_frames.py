@@ -80,7 +80,7 @@ class Frames(unittest.TestCase):
         grid = read("cracks")
         self.cells(grid, 3, [[0, 1], [1, 2]])
         at_cells = arrays(grid.GetCellData())
-        for name in ("damage", "mode", "opening", "slip"):
+        for name in ("damage", "mode", "opening", "slip", "time", "energy"):
             self.same(at_cells[name], [0.5, 1.0], np.float64)
         self.same(at_cells["status"], [1, 2], np.int32)
 

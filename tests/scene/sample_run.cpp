@@ -51,7 +51,9 @@ void write_cracks(const std::string& path, std::size_t count) {
                              some,
                              some,
                              some,
-                             std::span(status).first(count)};
+                             std::span(status).first(count),
+                             some,
+                             some};
   write_frame(path, as_frame(cracks, 0.5, 1));
 }
 

@@ -76,6 +76,7 @@ TEST(CoreExpression, FunctionsOfSeries) {
   EXPECT_DOUBLE_EQ(value("arrival(load.y, 0)"), 0);
   EXPECT_DOUBLE_EQ(value("slope(load.y, 2, 4)"), 1);
   EXPECT_DOUBLE_EQ(value("slope(time, 0, 4)"), 1);
+  EXPECT_DOUBLE_EQ(value("mean(time, 1.5, 2.5)"), 2);
 }
 
 TEST(CoreExpression, SeriesCombineElementByElement) {
@@ -117,6 +118,8 @@ TEST(CoreExpression, EvaluationErrorsSayWhatToDo) {
   EXPECT_THAT(text("at(load.y, time)"), HasSubstr("must be a number"));
   EXPECT_THAT(text("arrival(load.y, 10)"), HasSubstr("never reaches 10"));
   EXPECT_THAT(text("slope(load.y, 1.1, 1.2)"), HasSubstr("fewer than two samples"));
+  EXPECT_THAT(text("mean(load.y, 2, 1)"), HasSubstr("mean() from 2 s to 1 s"));
+  EXPECT_THAT(text("mean(load.y, 2)"), HasSubstr("a series, or a series and two times"));
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST(IoCsv, UnwritableFolderIsCalledThat) {
 
 TEST(IoCsv, EventsAndFragmentsInPlaneAndSpace) {
   TempFolder folder;
-  const CrackEvent event = {1e-3, {1, 2, 3}, {0, 1, 0}, 0.5, 1.25, 4, 5};
+  const CrackEvent event = {1e-3, {1, 2, 3}, {0, 1, 0}, 0.5, 1.25, 4, 5, 6, 7, 8};
   {
     EventWriter plane(folder / "e2.csv", 2), space(folder / "e3.csv", 3);
     plane.write(std::span(&event, 1));
@@ -114,22 +114,36 @@ TEST(IoCsv, EventsAndFragmentsInPlaneAndSpace) {
     EXPECT_EQ(plane.rows(), 1);
   }
   EXPECT_EQ(file_text(folder / "e2.csv"),
-            "time,x,y,normal_x,normal_y,area,mode,energy_tension,energy_shear\n"
-            "0.001,1,2,0,1,0.5,1.25,4,5\n");
-  EXPECT_THAT(file_text(folder / "e3.csv"), HasSubstr("\n0.001,1,2,3,0,1,0,0.5,1.25,4,5\n"));
+            "time,x,y,normal_x,normal_y,area,mode,energy_tension,energy_shear,opening,slip,"
+            "moment\n"
+            "0.001,1,2,0,1,0.5,1.25,4,5,6,7,8\n");
+  EXPECT_THAT(file_text(folder / "e3.csv"), HasSubstr("\n0.001,1,2,3,0,1,0,0.5,1.25,4,5,6,7,8\n"));
+  for (const int dimension : {2, 3}) {
+    const auto read =
+        read_events(folder / ("e" + std::to_string(dimension) + ".csv"), dimension, 1);
+    ASSERT_EQ(read.size(), 1u);
+    EXPECT_EQ(read[0].place[2], dimension == 3 ? 3 : 0);
+    EXPECT_EQ(read[0].normal[1], 1);
+    EXPECT_EQ(read[0].moment, 8);
+  }
+  EXPECT_TRUE(read_events(folder / "e2.csv", 2, 0).empty());
+  EXPECT_THAT(error_text([&] { read_events(folder / "e2.csv", 3, 1); }),
+              HasSubstr("row 1 is damaged"));
   { EventWriter again(folder / "e2.csv", 2, 0); }
   EXPECT_EQ(file_text(folder / "e2.csv"),
-            "time,x,y,normal_x,normal_y,area,mode,energy_tension,energy_shear\n");
+            "time,x,y,normal_x,normal_y,area,mode,energy_tension,energy_shear,opening,slip,"
+            "moment\n");
 
-  const FragmentRow piece = {0, 12, 2.5, 0.1, {1, 2, 3}, {4, 5, 6}};
+  const FragmentRow piece = {0, 12, 2.5, 0.1, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}, 0.2, 0.05};
   {
     FragmentWriter plane(folder / "f.csv", 2);
     plane.write(0.25, 7, std::vector{piece, piece});
     EXPECT_EQ(plane.rows(), 2);
   }
   EXPECT_EQ(file_text(folder / "f.csv"),
-            "time,frame,fragment,elements,mass,size,x,y,velocity_x,velocity_y\n"
-            "0.25,7,0,12,2.5,0.1,1,2,4,5\n0.25,7,0,12,2.5,0.1,1,2,4,5\n");
+            "time,frame,fragment,elements,mass,size,x,y,velocity_x,velocity_y,"
+            "spin,length,width\n"
+            "0.25,7,0,12,2.5,0.1,1,2,4,5,9,0.2,0.05\n0.25,7,0,12,2.5,0.1,1,2,4,5,9,0.2,0.05\n");
 }
 
 }  // namespace

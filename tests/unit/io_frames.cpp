@@ -31,7 +31,7 @@ struct Square {
     frame.step = 3;
     return frame;
   }
-  CrackFrame cracks() const { return {2, points, crack, one, one, one, one, status}; }
+  CrackFrame cracks() const { return {2, points, crack, one, one, one, one, status, one, one}; }
 
   std::vector<double> points;
   std::vector<std::int32_t> connectivity = {0, 1, 2, 0, 2, 3};
@@ -93,8 +93,9 @@ TEST(IoFrames, SeriesListsWhatIsThere) {
   EXPECT_THAT(file_text(folder / "cracks.vtkhdf.series"), HasSubstr("frames/cracks_000001.vtkhdf"));
   EXPECT_THAT(file_text(folder / "cracks.vtkhdf.series"), Not(HasSubstr("cracks_000000")));
   const H5Reader cracks(folder / "frames/cracks_000001.vtkhdf");
-  EXPECT_EQ(cracks.names("VTKHDF/CellData"),
-            (std::vector<std::string>{"damage", "mode", "opening", "slip", "status"}));
+  EXPECT_EQ(
+      cracks.names("VTKHDF/CellData"),
+      (std::vector<std::string>{"damage", "energy", "mode", "opening", "slip", "status", "time"}));
   EXPECT_EQ(cracks.read<std::uint8_t>("VTKHDF/Types"), (std::vector<std::uint8_t>{3}));
 }
 

@@ -31,6 +31,7 @@ def draw(options):
     if len(next(iter(run.history.values()), [])) > 1 and "time" in run.history:
         sheets.draw_histories(run, output / "histories.png")
         sheets.draw_ledger(run, output / "ledger.png")
+    sheets.draw_catalogue(run, output / "catalogue.png")
     numbers = run.chosen(options.frame)
     limits = sheets.common_limits(run, numbers, options.field) if len(numbers) > 1 else None
     for number in numbers:

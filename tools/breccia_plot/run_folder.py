@@ -100,6 +100,8 @@ class RunFolder:
             if (match := re.fullmatch(r"(\d+)\.vtkhdf", entry.name))
         )
         self.history = read_table(self.path / "history.csv")
+        self.emissions = read_table(self.path / "emissions.csv")
+        self.fragments = read_table(self.path / "fragments.csv")
         self.report = self.read_report()
 
     def read_report(self):

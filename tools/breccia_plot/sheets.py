@@ -3,7 +3,7 @@ import functools
 
 import matplotlib.pyplot as plt
 
-from . import curves, fields, mesh_picture, style
+from . import catalogue, curves, fields, mesh_picture, style
 
 
 def time_text(seconds):
@@ -74,6 +74,20 @@ def draw_ledger(run, path):
     curves.draw_residuals(residual, run.history)
     headline(figure, run.title, "energy ledger: every joule stored or spent against the work done")
     figure.tight_layout(rect=(0, 0, 1, 0.91), h_pad=1.5)
+    style.save(figure, path)
+
+
+def draw_catalogue(run, path):
+    """Emissions and fragments, of runs that have enough of them."""
+    panels = catalogue.panels(run)
+    if not panels:
+        return
+    down = len(panels) // 2
+    figure, grid = plt.subplots(down, 2, figsize=(11, 3.4 * down + 0.8), squeeze=False)
+    for axes, (draw, table) in zip(grid.flat, panels):
+        draw(axes, table)
+    headline(figure, run.title, "what broke: emissions by magnitude, fragments by size")
+    figure.tight_layout(rect=(0, 0, 1, 1 - 0.7 / figure.get_size_inches()[1]), h_pad=1.6, w_pad=2)
     style.save(figure, path)
 
 

@@ -1,7 +1,7 @@
 #include "modules/fracture/existing_laws.hpp"
 
 #include "mesh/geometry.hpp"
-#include "modules/fracture/strength_grades.hpp"
+#include "modules/fracture/face_grades.hpp"
 
 #include <algorithm>
 
@@ -59,6 +59,7 @@ Index append_fault(InterfaceLaws& laws, const Settings& section, const Interface
   laws.laws.push_back(law);
   laws.sections.push_back(&section);
   laws.grades.push_back(1);
+  laws.correlation.push_back(0);
   return static_cast<Index>(laws.laws.size()) - 1;
 }
 
@@ -142,17 +143,17 @@ void put_existing_laws(const InterfaceLaws& laws, const Model<D>& model, std::ve
   put_grain_laws(laws, model, law);
   if (laws.existing.empty()) return;
   const std::vector<Index> number = face_numbers<D>(model.topology);
+  const FaceGrades grades(laws);
   for (const ExistingLaw& entry : laws.existing) {
     const std::string name = entry.section->text("body") + "." + entry.section->name();
     const Region* region = find_region(model.mesh, name);
     if (region == nullptr)
       throw entry.section->error("", "the mesh has no faces on it", "check its place");
-    const Index grades = laws.grades[static_cast<std::size_t>(entry.law)];
     for (const ElementFace& face : region->faces) {
       const Index n = number[static_cast<std::size_t>(face.element * (D + 1) + face.face)];
       if (n < 0) continue;  // on the surface
-      Index chosen = entry.law;
-      if (grades > 1) chosen += grade_of_face(laws.seed, static_cast<std::uint64_t>(n), grades);
+      Index chosen =
+          entry.law + grades.of<D>(entry.law, static_cast<std::size_t>(n), model.mesh, face);
       const Point<D> x = middle_of(model.mesh, face);
       for (const auto& [patch, of_patch] : entry.patches)
         if (lies_in<D>(*patch, x)) chosen = of_patch;

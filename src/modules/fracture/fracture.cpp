@@ -55,6 +55,7 @@ void Fracture<D>::declare(Model<D>& model) {
   has_faults_ = std::any_of(laws_.laws.begin(), laws_.laws.end(),
                             [](const InterfaceLaw& law) { return law.fault; });
   if (has_faults_) s.add<InterfaceFaults<D>>(key());
+  s.add<InterfaceBreakTime>(key());
   s.add<InterfaceStiffness>(key());
   if (contact_follows_) s.add<InterfaceSlip<D>>(key());
 }

@@ -51,6 +51,12 @@ struct InterfacePairForce {
                                   "force on the left corner, the right one gets the opposite"};
 };
 
+struct InterfaceBreakTime {
+  using View = Array<double>;
+  static constexpr FieldInfo info{"interface_break_time", Entity::interface, "s", Restart::yes,
+                                  "when the face broke; 0 while it holds"};
+};
+
 struct InterfaceStiffness {
   using View = Array<double>;
   static constexpr FieldInfo info{"interface_stiffness", Entity::node, "N/m", Restart::no,

@@ -45,6 +45,31 @@ void add_strength_keys(SectionBuilder& section) {
       .doc(
           "Weibull modulus: tensile_strength and cohesion of each face are their values here times "
           "one random number of mean 1 (run.seed). All faces are alike if absent.");
+  section.number("correlation", unit::length)
+      .above(0)
+      .example("5 mm")
+      .doc(
+          "Of the scatter: strengths at a distance r are alike as exp(-(r/correlation)^2). Every "
+          "face has its own number if absent.");
+}
+
+void add_rate_keys(SectionBuilder& section) {
+  section.number("rate_reference", unit::frequency)
+      .above(0)
+      .example("30 1/s")
+      .doc(
+          "Rate of deformation from which on tensile_strength and cohesion grow: by (rate / "
+          "rate_reference)^rate_exponent, as it is when the face becomes an interface. They do "
+          "not depend on the rate if absent.");
+  section.number("rate_exponent", unit::none)
+      .above(0)
+      .at_most(1)
+      .by_default(1.0 / 3)
+      .doc("That power.");
+  section.number("rate_limit", unit::none)
+      .between(1, 100)
+      .by_default(3.0)
+      .doc("Most that they grow by.");
 }
 
 }  // namespace
@@ -66,6 +91,7 @@ void add_spring_keys(SectionBuilder& section) {
 
 void add_law_keys(SectionBuilder section) {
   add_strength_keys(section);
+  add_rate_keys(section);
   section.number("alpha", unit::none)
       .between(0, 1)
       .by_default(0.95)

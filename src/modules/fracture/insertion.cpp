@@ -22,6 +22,17 @@ namespace {
 /// Families whose stars are looked at together before the first step.
 constexpr Index kBatch = 1 << 15;
 
+/// Forces on the corners of elements, class by class.
+template <int D>
+Kokkos::Array<ConstCornerForces<D>, kCornerForceClasses> corner_forces(const Store& s) {
+  Kokkos::Array<ConstCornerForces<D>, kCornerForceClasses> force;
+  force[0] = s.get<ElementForce<D>>();
+  force[1] = s.get<InterfaceForce<D>>();
+  force[2] = s.get_or_empty<ContactForce<D>>();
+  force[3] = s.get_or_empty<LoadForce<D>>();
+  return force;
+}
+
 }  // namespace
 
 template <int D>
@@ -43,6 +54,8 @@ void Insertion<D>::prepare(const Model<D>& model, const InterfaceLaws& laws) {
   strained_ = Array<std::uint8_t>("breccia::fracture::strained", families);
   hot_ =
       allocate<Array<Index>>("breccia::fracture::hot", static_cast<std::size_t>(model.elements()));
+  tips_.prepare(model);
+  tips_.renew(at_tips(model), {}, model.store.count(Entity::family));
 }
 
 template <int D>
@@ -99,6 +112,37 @@ Index Insertion<D>::check(Model<D>& model) {
     const Index found = start_faults(model);
     if (found > 0) return found;
   }
+  Index found = find_hot(model);
+  if (found > 0) insert(model, found_, found);
+  const Index at_tip = tips_.find(at_tips(model));
+  if (at_tip > 0) insert(model, tips_.found(), at_tip);
+  found += at_tip;
+  if (found > 0) split(model);
+  return found;
+}
+
+template <int D>
+TipOnsetIn<D> Insertion<D>::at_tips(const Model<D>& model) const {
+  const Store& s = model.store;
+  TipOnsetIn<D> in;
+  in.map = star_map(s);
+  in.of_face = s.get<FaceInterface>();
+  in.active = s.get<InterfaceActive<D>>();
+  in.force = corner_forces<D>(s);
+  in.corner_mass = {stress_of(model), density_};
+  in.family = s.get<NodeFamily>();
+  in.flags = s.get<NodeFlags>();
+  in.fixed = ((1u << D) - 1) * node_flag::fixed_x;
+  in.velocity = s.get<NodeVelocity<D>>();
+  in.law_of = law_of_;
+  in.laws = laws_;
+  in.thickness = model.thickness;
+  return in;
+}
+
+/// Bonded faces beyond their onset by the mean stress of their elements.
+template <int D>
+Index Insertion<D>::find_hot(Model<D>& model) {
   const Store& s = model.store;
   const Index hot =
       compact("breccia::fracture::hot_elements", s.get<ElementHot>(), model.elements(), hot_);
@@ -114,14 +158,13 @@ Index Insertion<D>::check(Model<D>& model) {
                           s.get<NodeFamily>(),
                           s.get<FaceInterface>(),
                           s.get<InterfaceActive<D>>(),
+                          s.get<InterfaceRecords>(),
+                          s.get<NodeVelocity<D>>(),
                           strained_};
   const bool some = s.count(Entity::interface) > 0;  // else none can be locked
   const Index strained = some ? flag_strained(in, hot_, hot) : 0;
   const Index found = find_onset(in, hot_, hot, mark_, found_);
   if (strained > 0) Kokkos::deep_copy(strained_, std::uint8_t{0});
-  if (found == 0) return 0;
-  insert(model, found_, found);
-  split(model);
   return found;
 }
 
@@ -142,6 +185,7 @@ void Insertion<D>::insert(Model<D>& model, const Array<Index>& faces, Index coun
                               sides_,
                               law_of_,
                               laws_,
+                              s.get<NodeVelocity<D>>(),
                               faces,
                               first};
   const FaceInsertionOut<D> out{s.get<FaceStatus>(),
@@ -197,7 +241,10 @@ void Insertion<D>::split(Model<D>& model) {
   stars.work = work_;
   stars.find_components();
   const Index fresh = stars.number_new_nodes();
-  if (fresh == 0) return;
+  if (fresh == 0) {
+    tips_.renew(at_tips(model), work_.family, work_.families);
+    return;
+  }
 
   const Index first = s.count(Entity::node);
   make_room(parent_, "breccia::fracture::parent", fresh);
@@ -210,6 +257,7 @@ void Insertion<D>::split(Model<D>& model) {
   stars.relabel({stress_of(model), density_}, s.get<NodeMass>(), s.get<NodeFlags>(),
                 node_flag::interface);
   sum_stiffness(model);
+  tips_.renew(at_tips(model), work_.family, work_.families);
   ++model.splits;
   model.step_is_stale = true;
 }
@@ -238,10 +286,7 @@ void Insertion<D>::balance(const Model<D>& model, const Stars<D>& stars) const {
   StarBalanceIn<D> in;
   in.map = stars.map;
   in.work = stars.work;
-  in.force[0] = s.get<ElementForce<D>>();
-  in.force[1] = s.get<InterfaceForce<D>>();
-  in.force[2] = s.get_or_empty<ContactForce<D>>();
-  in.force[3] = s.get_or_empty<LoadForce<D>>();
+  in.force = corner_forces<D>(s);
   in.corner_mass = {stress_of(model), density_};
   in.flags = s.get<NodeFlags>();
   in.fixed_x = node_flag::fixed_x;

@@ -1,5 +1,5 @@
 #pragma once
-#include "loops/stars.hpp"
+#include "modules/fracture/crack_tips.hpp"
 #include "modules/fracture/interface_laws.hpp"
 #include "step/model.hpp"
 
@@ -35,6 +35,8 @@ class Insertion {
 
  private:
   Index start_faults(Model<D>& model);
+  Index find_hot(Model<D>& model);
+  TipOnsetIn<D> at_tips(const Model<D>& model) const;
   void insert(Model<D>& model, const Array<Index>& faces, Index count);
   void split(Model<D>& model);
   void list_touched(const Model<D>& model);
@@ -52,6 +54,7 @@ class Insertion {
   Array<Index> hot_, found_, parent_;
   Array<std::uint8_t> mark_, touched_, strained_;
   StarWork<D> work_;
+  CrackTips<D> tips_;
 };
 
 }  // namespace breccia

@@ -1,7 +1,6 @@
 #include "modules/fracture/interface_laws.hpp"
 
 #include "core/log.hpp"
-#include "mesh/composite.hpp"
 #include "mesh/geometry.hpp"
 #include "modules/fracture/existing_laws.hpp"
 #include "modules/fracture/strength_grades.hpp"
@@ -30,6 +29,14 @@ InterfaceLaw read_law(const Settings& s) {
                   s.number("energy_shear")};
   law.onset = {law.strength.tension, law.strength.cohesion, friction, s.number("alpha"),
                s.text("criterion") == "elliptic"};
+  if (s.has("rate_reference")) {
+    if (law.onset.alpha == 0)
+      throw s.error("rate_reference", "with alpha = 0 faces are interfaces before anything moves",
+                    "take an alpha above 0, or leave the rate out");
+    law.onset.rate_reference = s.number("rate_reference");
+    law.onset.rate_exponent = s.number("rate_exponent");
+    law.onset.rate_limit = s.number("rate_limit");
+  }
   law.stiffness_factor = s.number("stiffness_factor");
   law.damping = s.number("damping");
   law.z_curve = s.text("softening") == "z_curve";
@@ -113,7 +120,9 @@ void check_energies(const InterfaceLaw& law, const Settings& section, const Cohe
                     double height) {
   const double area = law.z_curve ? ZCurve::area : LinearSoftening::area;
   const double steepest = law.z_curve ? ZCurve::steepest : LinearSoftening::steepest;
-  const CohesiveStrength& s = law.strength;
+  CohesiveStrength s = law.strength;
+  s.tension *= law.onset.rate_limit;  // as strong as a rate may make it
+  s.cohesion *= law.onset.rate_limit;
   // Least G_soft over all tractions at insertion is at T0 = c_S f_t (eq:cohesive-16).
   const double tension =
       s.tension * s.tension / k.normal * (0.5 * (1 + area * area) + kLeastOpeningReach * area);
@@ -129,6 +138,9 @@ void check_energies(const InterfaceLaw& law, const Settings& section, const Cohe
 Index append_laws(InterfaceLaws& laws, const Settings& section) {
   const auto first = static_cast<Index>(laws.laws.size());
   const InterfaceLaw mean = read_law(section);
+  if (section.has("correlation") && !section.has("scatter"))
+    throw section.error("correlation", "strengths that do not scatter have no correlation",
+                        "give `scatter` as well, or take this out");
   const std::vector<double> shares =
       section.has("scatter") ? strength_grades(section.number("scatter")) : std::vector<double>{1};
   for (const double share : shares) {
@@ -138,6 +150,7 @@ Index append_laws(InterfaceLaws& laws, const Settings& section) {
     laws.laws.push_back(grade);
     laws.sections.push_back(&section);
     laws.grades.push_back(static_cast<Index>(shares.size()));
+    laws.correlation.push_back(section.has("correlation") ? section.number("correlation") : 0);
   }
   return first;
 }
@@ -162,35 +175,6 @@ InterfaceLaws read_interface_laws(const Settings& scene, const std::vector<Mater
   }
   read_existing_laws(scene, laws);
   return laws;
-}
-
-template <int D>
-std::vector<Index> law_of_faces(const InterfaceLaws& laws, const Model<D>& model) {
-  const auto composite = composite_of_elements(model.mesh);
-  // What is taken out does not break, and neither does what it hangs on by.
-  std::vector<std::uint8_t> taken(model.mesh.element.size(), 0);
-  for (const Block& block : model.blocks)
-    if (block.excavation != kNone)
-      std::fill(taken.begin() + block.begin, taken.begin() + block.end, std::uint8_t{1});
-  std::vector<Index> law;
-  law.reserve(model.topology.shared.size());
-  for (const SharedFace& face : model.topology.shared) {
-    const bool inside = composite[face.left] == composite[face.right];
-    const bool tied = inside || taken[face.left] || taken[face.right];
-    const Index first = tied ? kNone
-                             : laws.between(model.body_material[model.mesh.body[face.left]],
-                                            model.body_material[model.mesh.body[face.right]]);
-    const Index grades = first == kNone ? 1 : laws.grades[static_cast<std::size_t>(first)];
-    const auto number = static_cast<std::uint64_t>(law.size());
-    law.push_back(grades == 1 ? first : first + grade_of_face(laws.seed, number, grades));
-  }
-  put_existing_laws(laws, model, law);
-  for (std::size_t f = 0; f < law.size(); ++f) {
-    const SharedFace& face = model.topology.shared[f];
-    if (taken[face.left] || taken[face.right] || composite[face.left] == composite[face.right])
-      law[f] = kNone;
-  }
-  return law;
 }
 
 template <int D>
@@ -271,8 +255,6 @@ Onset watch_for(const InterfaceLaws& laws, Index material) {
 }
 
 template std::vector<InterfaceSide> interface_sides<2>(const Model<2>&);
-template std::vector<Index> law_of_faces(const InterfaceLaws&, const Model<2>&);
-template std::vector<Index> law_of_faces(const InterfaceLaws&, const Model<3>&);
 template std::vector<InterfaceSide> interface_sides<3>(const Model<3>&);
 template void check_interface_laws<2>(const InterfaceLaws&, const Model<2>&);
 template void check_interface_laws<3>(const InterfaceLaws&, const Model<3>&);

@@ -27,6 +27,7 @@ struct InterfaceLaws {
   std::vector<InterfaceLaw> laws;
   std::vector<const Settings*> sections;  ///< where each was read
   std::vector<Index> grades;              ///< laws of that section: 1, or grades of strength
+  std::vector<double> correlation;        ///< m, of the grades; 0: each face for itself
   std::vector<Index> of_materials;  ///< the first one, at left * materials + right; kNone: tied
   std::vector<ExistingLaw> existing;
   std::vector<GrainLaw> grain_laws;

@@ -23,9 +23,13 @@ std::vector<double> strength_grades(double modulus) {
   return share;
 }
 
+Index grade_at(double share, Index grades) {
+  return static_cast<Index>(share * static_cast<double>(grades));
+}
+
 Index grade_of_face(int seed, std::uint64_t face, Index grades) {
   const Random random{static_cast<std::uint64_t>(seed), kStream};
-  return static_cast<Index>(random.uniform(face) * static_cast<double>(grades));
+  return grade_at(random.uniform(face), grades);
 }
 
 }  // namespace breccia

@@ -11,6 +11,9 @@ namespace breccia {
 /// the strength in its middle. As shares of the mean, weakest first; their mean is 1.
 std::vector<double> strength_grades(double modulus);
 
+/// The grade at a share of the probability in (0, 1).
+Index grade_at(double share, Index grades);
+
 /// The grade of a face: random, and the same for any number of threads.
 Index grade_of_face(int seed, std::uint64_t face, Index grades);
 

@@ -22,6 +22,10 @@ void declare_rigid_keys(Schema& schema) {
         problems.add(section.error(key, "says how a body turns that a boundary moves or holds",
                                    "add `velocity` or `fixed`; free components stay free"));
     }
+    for (const Settings& body : bodies)
+      if (body.flag("rigid") && body.has("expansion"))
+        problems.add(body.error("expansion", "a rigid body does not stretch",
+                                "leave one of `rigid` and `expansion` out"));
     const bool any = std::any_of(bodies.begin(), bodies.end(),
                                  [](const Settings& body) { return body.flag("rigid"); });
     if (!any) return;
