@@ -117,6 +117,7 @@ void read_existing_laws(const Settings& scene, InterfaceLaws& laws) {
 
 template <int D>
 void put_grain_laws(const InterfaceLaws& laws, const Model<D>& model, std::vector<Index>& law) {
+  const FaceGrades grades(laws);
   for (const GrainLaw& grains : laws.grain_laws) {
     const std::string& name = grains.section->text("field");
     const auto field = model.mesh.fields.find(name);
@@ -127,13 +128,11 @@ void put_grain_laws(const InterfaceLaws& laws, const Model<D>& model, std::vecto
     const auto is_of = [&](Index e) {
       return model.materials[model.body_material[model.mesh.body[e]]].name == grains.material;
     };
-    const Index grades = laws.grades[static_cast<std::size_t>(grains.law)];
     for (std::size_t f = 0; f < law.size(); ++f) {
       const SharedFace& face = model.topology.shared[f];
       if (grain[face.left] == grain[face.right] || !is_of(face.left) || !is_of(face.right))
         continue;
-      law[f] = grains.law;
-      if (grades > 1) law[f] += grade_of_face(laws.seed, static_cast<std::uint64_t>(f), grades);
+      law[f] = grains.law + grades.of<D>(grains.law, f, model.mesh, {face.left, face.left_face});
     }
   }
 }
