@@ -98,6 +98,33 @@ class Pictures(unittest.TestCase):
         self.assertEqual((low, high, signed), (-2, 2, True))
         self.assertEqual(fields.limits(np.array([7.0, 7.0])), (6.5, 7.5, False))
 
+    def test_b_value_is_that_of_its_distribution(self):
+        sys.path.insert(0, str(pathlib.Path(PLOT).parent))
+        from breccia_plot import catalogue
+
+        # 20 000 magnitudes above -6 with b = 1.2, some below lost: error 0.01.
+        rng = np.random.default_rng(1)
+        magnitudes = -6 + rng.exponential(np.log10(np.e) / 1.2, 20000)
+        b, error, complete = catalogue.gutenberg_richter(magnitudes)
+        self.assertLess(abs(b - 1.2), 4 * error + 0.02)
+        self.assertLess(abs(complete + 6), 0.11)
+        self.assertLess(error, 0.02)
+
+    def test_catalogue_of_a_run_that_broke_enough(self):
+        out = FOLDER / "broken"
+        shutil.copytree(FOLDER / "disc", out, dirs_exist_ok=True)
+        self.assertFalse((FOLDER / "disc" / "pictures" / "catalogue.png").exists())
+        rows = [f"{k}e-5,0,{k}e-3,0,1,1e-3,{1 + 0.1 * k},{k + 1},{10 ** k},{2 / 3 * k - 6.03}" for k in range(8)]
+        (out / "emissions.csv").write_text(
+            "time,duration,x,y,breaks,area,mode,energy,moment,magnitude\n" + "\n".join(rows) + "\n")
+        rows = [f"1e-3,2,{k},5,{10.0 ** -k},{0.1 / (k + 1)},0,0,{k},1,0,0.1,0.05" for k in range(8)]
+        (out / "fragments.csv").write_text(
+            "time,frame,fragment,elements,mass,size,x,y,velocity_x,velocity_y,spin,length,width\n" +
+            "\n".join(rows) + "\n")
+        made = self.draws(out)
+        self.assertIn(out / "pictures" / "catalogue.png", made)
+        self.is_a_picture(out / "pictures" / "catalogue.png")
+
     def test_what_cannot_be_drawn_is_refused(self):
         self.refuses("no such folder", FOLDER / "nowhere")
         (FOLDER / "empty").mkdir(exist_ok=True)
