@@ -36,6 +36,13 @@ std::vector<double> rim_angles(const Mesh<2>& mesh, const Topology<2>& topology)
   return at_rim;
 }
 
+/// The number of each listed family, none of the others.
+void number_tips(const Array<Index>& tips, Index count, const Array<Index>& number) {
+  Kokkos::deep_copy(number, kNone);
+  for_each(
+      "breccia::fracture::number_tips", count, KOKKOS_LAMBDA(Index t) { number(tips(t)) = t; });
+}
+
 }  // namespace
 
 template <int D>
@@ -59,10 +66,7 @@ void CrackTips<D>::renew(const TipOnsetIn<D>& in, const ConstArray<Index>& famil
     count_ = compact("breccia::fracture::tips", flag_, all, tips_);
     make_room(choice_, "breccia::fracture::tip_choice", count_);
     make_room(found_, "breccia::fracture::tip_faces", count_);
-    Kokkos::deep_copy(tip_of_, kNone);
-    const Array<Index> tips = tips_, number = tip_of_;
-    for_each(
-        "breccia::fracture::number_tips", count_, KOKKOS_LAMBDA(Index t) { number(tips(t)) = t; });
+    number_tips(tips_, count_, tip_of_);
   }
 }
 
