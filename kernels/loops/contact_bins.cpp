@@ -26,7 +26,7 @@ struct GridUse {
 };
 
 template <int D>
-GridUse use_of(const ContactSurface<D>& surface, double skin, const ContactGrid& grid) {
+GridUse use_of(const ContactSurface<D>& surface, double skin, const ContactGrid<D>& grid) {
   Index entries = 0;
   std::uint32_t levels = 0;
   count_launch();
@@ -46,8 +46,8 @@ GridUse use_of(const ContactSurface<D>& surface, double skin, const ContactGrid&
 
 template <int D>
 void fill_contact_bins(const ContactSurface<D>& surface, double skin, ContactBins<D>& bins) {
-  bins.cell = 0.75 * smallest_box(surface, skin);
-  ContactGrid grid{bins.cell, 1};
+  bins.cell = GridShape<D>::smallest * smallest_box(surface, skin);
+  ContactGrid<D> grid{bins.cell, 1};
   const GridUse use = use_of(surface, skin, grid);
   bins.levels = use.levels;
   bins.entries = use.entries;
@@ -79,5 +79,6 @@ void fill_contact_bins(const ContactSurface<D>& surface, double skin, ContactBin
 }
 
 template void fill_contact_bins<2>(const ContactSurface<2>&, double, ContactBins<2>&);
+template void fill_contact_bins<3>(const ContactSurface<3>&, double, ContactBins<3>&);
 
 }  // namespace breccia

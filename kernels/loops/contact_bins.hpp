@@ -4,9 +4,21 @@
 
 namespace breccia {
 
-/// Ratio of the cell sizes of neighbouring grids, and how many there may be.
-inline constexpr int kGridRatio = 4;
-inline constexpr int kGridLevels = 12;
+/// The grids of the search: ratio of the cell sizes of neighbouring ones and how many there may be;
+/// the finest cell over the smallest box, the largest box of a grid over its cell; bits of a cell
+/// number.
+template <int D>
+struct GridShape;
+template <>
+struct GridShape<2> {
+  static constexpr int ratio = 4, levels = 12, bits = 28;
+  static constexpr double smallest = 0.75, largest = 2;
+};
+template <>
+struct GridShape<3> {
+  static constexpr int ratio = 2, levels = 16, bits = 20;
+  static constexpr double smallest = 1, largest = 1;
+};
 
 /// Box around a target, larger by the skin on each side.
 template <int D>
@@ -39,37 +51,42 @@ struct ContactBox {
   }
 };
 
-/// The grids: from places to cells, tags and buckets.
+/// The grids: from places to cells, tags and buckets. A box lies in the first grid that holds
+/// boxes of its size.
+template <int D>
 struct ContactGrid {
-  double cell;
+  using Shape = GridShape<D>;
+  double cell;    ///< of the finest grid, m
   Index buckets;  ///< a power of two
 
   KOKKOS_FUNCTION
   int level_of(double size) const {
     int level = 0;
-    for (double c = 2 * cell; size > c && level < kGridLevels - 1; c *= kGridRatio) ++level;
+    for (double c = Shape::largest * cell; size > c && level < Shape::levels - 1; c *= Shape::ratio)
+      ++level;
     return level;
   }
   KOKKOS_FUNCTION
   double size_of(int level) const {
     double c = cell;
-    for (int l = 0; l < level; ++l) c *= kGridRatio;
+    for (int l = 0; l < level; ++l) c *= Shape::ratio;
     return c;
   }
   /// Cell number along one axis; far away ones are held at the rim, where they cost time but miss
   /// nothing.
   KOKKOS_FUNCTION
   static std::int64_t along(double x, double size) {
-    constexpr double kRim = 134217727;  // 2^27 - 1
+    constexpr double kRim = (std::int64_t{1} << (Shape::bits - 1)) - 1;
     const double c = Kokkos::floor(x / size);
     return static_cast<std::int64_t>(c < -kRim ? -kRim : (c > kRim ? kRim : c));
   }
   KOKKOS_FUNCTION
-  static std::uint64_t tag(int level, std::int64_t i, std::int64_t j) {
-    constexpr std::uint64_t kMask = (1u << 28) - 1;
-    return (static_cast<std::uint64_t>(level) << 56) |
-           ((static_cast<std::uint64_t>(i) & kMask) << 28) |
-           (static_cast<std::uint64_t>(j) & kMask);
+  static std::uint64_t tag(int level, const std::int64_t (&cell)[D]) {
+    constexpr std::uint64_t kMask = (std::uint64_t{1} << Shape::bits) - 1;
+    auto t = static_cast<std::uint64_t>(level);
+    for (int d = 0; d < D; ++d)
+      t = (t << Shape::bits) | (static_cast<std::uint64_t>(cell[d]) & kMask);
+    return t;
   }
   KOKKOS_FUNCTION
   Index bucket(std::uint64_t tag) const {
@@ -84,17 +101,27 @@ struct ContactGrid {
   /// Calls f(tag) for each cell that the box touches.
   template <class F>
   KOKKOS_FUNCTION
-  void cover(const ContactBox<2>& box, const F& f) const {
+  void cover(const ContactBox<D>& box, const F& f) const {
     const int level = level_of(box.size());
     const double size = size_of(level);
-    const std::int64_t i1 = along(box.high[0], size), j1 = along(box.high[1], size);
-    for (std::int64_t i = along(box.low[0], size); i <= i1; ++i)
-      for (std::int64_t j = along(box.low[1], size); j <= j1; ++j) f(tag(level, i, j));
+    std::int64_t first[D], last[D], at[D];
+    for (int d = 0; d < D; ++d) {
+      at[d] = first[d] = along(box.low[d], size);
+      last[d] = along(box.high[d], size);
+    }
+    while (at[0] <= last[0]) {
+      f(tag(level, at));
+      int d = D - 1;
+      for (; d > 0 && at[d] == last[d]; --d) at[d] = first[d];
+      ++at[d];
+    }
   }
   KOKKOS_FUNCTION
-  std::uint64_t tag_at(int level, const Vec<2>& q) const {
+  std::uint64_t tag_at(int level, const Vec<D>& q) const {
     const double size = size_of(level);
-    return tag(level, along(q[0], size), along(q[1], size));
+    std::int64_t at[D];
+    for (int d = 0; d < D; ++d) at[d] = along(q[d], size);
+    return tag(level, at);
   }
 };
 

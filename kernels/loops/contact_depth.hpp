@@ -1,12 +1,16 @@
 #pragma once
 #include "base/mat.hpp"
 #include "loops/contact_surface.hpp"
+#include "loops/element.hpp"
 #include "point/contact_potential.hpp"
 
 namespace breccia {
 
 /// Level of nodes that are not near the surface.
 inline constexpr std::uint8_t kFarLevel = 255;
+
+/// A chord no deeper than this share of its length is surface.
+inline constexpr double kOnSurface = 1e-9;
 
 /// The reference mesh near the surface as the loops over nodes and targets see it.
 template <int D>
@@ -128,43 +132,66 @@ struct NearestFacet {
   }
 };
 
+/// Depth at the middle of a chord, all of whose nodes lie on the surface.
+template <int D>
+KOKKOS_FUNCTION
+double depth_of_chord(const SurfaceMesh<D>& mesh, Index e, int chord, const Vec<D> (&x)[D + 1]) {
+  const int size = chord_size<D>(chord);
+  Vec<D> middle = Vec<D>::zero();
+  for (int i = 0; i < size; ++i) middle += x[chord_node<D>(chord, i)] * (1.0 / size);
+  typename SurfaceMesh<D>::Nearest best;
+  for (int i = 0; i < size; ++i)
+    mesh.offer_star(middle, mesh.nodes(e, chord_node<D>(chord, i)), best);
+  mesh.walk(middle, best);
+  if (best.facet != kNone) return Kokkos::sqrt(best.d2);
+  return norm(x[chord_node<D>(chord, 0)] - middle);
+}
+
 /// Bubbles of an element (eq:contact-potential-1 and -2); most elements have none.
 template <int D>
 KOKKOS_FUNCTION
-void find_bubbles(const SurfaceMesh<D>& mesh, Index e, double (&bubble)[D + 1]) {
-  static_assert(D == 2, "contact in space follows");
-  int edges = 0;
-  for (int a = 0; a <= D; ++a) {
-    bubble[a] = 0;
-    edges += mesh.edge(mesh.nodes(e, a)) != 0 ? 1 : 0;
-  }
-  if (edges < D) return;
+void find_bubbles(const SurfaceMesh<D>& mesh, Index e, double (&bubble)[kChords<D>]) {
+  int edges = 0, faces = 0;
+  for (int c = 0; c < kChords<D>; ++c) bubble[c] = 0;
+  for (int a = 0; a <= D; ++a) edges += mesh.edge(mesh.nodes(e, a)) != 0 ? 1 : 0;
+  if (edges < 2) return;
   Vec<D> x[D + 1];
   mesh.place(e, x);
-  int faces = 0;
   for (int f = 0; f <= D; ++f) faces += mesh.on_surface(e, f) ? 1 : 0;
-  const Mat<D> g = edge_matrix<D>(x);
-  for (int f = 0; f <= D; ++f) {
-    const int i = face_node<D>(f, 0), j = face_node<D>(f, 1);
-    const double length = norm(x[j] - x[i]);
+  for (int c = 0; c < kChords<D>; ++c) {
     if (faces == D + 1) {
-      bubble[f] = -determinant(g) / length;
+      if (c > D) return;
+      Vec<D> face[D];
+      for (int i = 0; i < D; ++i) face[i] = x[face_node<D>(c, i)];
+      bubble[c] = -determinant(edge_matrix<D>(x)) / ((D - 1) * norm(face_normal(face)));
       continue;
     }
-    if (mesh.on_surface(e, f) || mesh.edge(mesh.nodes(e, i)) == 0 ||
-        mesh.edge(mesh.nodes(e, j)) == 0)
-      continue;
-    const Vec<D> middle = (x[i] + x[j]) * 0.5;
-    typename SurfaceMesh<D>::Nearest best;
-    mesh.offer_star(middle, mesh.nodes(e, i), best);
-    mesh.offer_star(middle, mesh.nodes(e, j), best);
-    mesh.walk(middle, best);
-    const double d = best.facet == kNone ? 0.5 * length : Kokkos::sqrt(best.d2);
-    bubble[f] = D * d;
+    bool chord = c > D || !mesh.on_surface(e, c);
+    for (int i = 0; i < chord_size<D>(c); ++i)
+      chord = chord && mesh.edge(mesh.nodes(e, chord_node<D>(c, i))) != 0;
+    if (!chord) continue;
+    const double depth = depth_of_chord<D>(mesh, e, c, x);
+    const double length = norm(x[chord_node<D>(c, 1)] - x[chord_node<D>(c, 0)]);
+    if (depth > kOnSurface * length) bubble[c] = chord_size<D>(c) * depth;
   }
 }
 
-/// Adds an element's share of the smooth gradient at its corner a: gradient times `weight`.
+/// Directions from a corner into its element, as weights of the other nodes; all see as much of it.
+template <int D>
+inline constexpr int kLooks = D == 2 ? 2 : 6;
+template <int D>
+KOKKOS_INLINE_FUNCTION
+constexpr double look_weight(int look, int i) {
+  if constexpr (D == 2) {
+    return look == i ? 0.75 : 0.25;
+  } else {
+    constexpr double weight[6][3] = {{0.6, 0.3, 0.1}, {0.6, 0.1, 0.3}, {0.3, 0.6, 0.1},
+                                     {0.1, 0.6, 0.3}, {0.3, 0.1, 0.6}, {0.1, 0.3, 0.6}};
+    return weight[look][i];
+  }
+}
+
+/// A mean of gradients.
 template <int D>
 struct GradientShare {
   Vec<D> sum = Vec<D>::zero();
@@ -181,41 +208,29 @@ struct GradientShare {
 /// touch the corner.
 template <int D>
 KOKKOS_FUNCTION
-void gradient_at_corner(const SurfaceMesh<D>& mesh, const CornerNumbers<D>& bubble,
+void gradient_at_corner(const SurfaceMesh<D>& mesh, const ChordNumbers<D>& bubble,
                         const Array<double>& depth, Index e, int a, GradientShare<D>& share) {
-  static_assert(D == 2, "contact in space follows");
+  constexpr double kNear = 0.001;
   Vec<D> x[D + 1];
   mesh.place(e, x);
   const Mat<D> g = edge_matrix<D>(x);
   const Mat<D> inverted = inverse(g);
-  const double volume = 0.5 * determinant(g);
-  Vec<D> of[D + 1];  // gradients of the barycentric coordinates
-  of[0] = Vec<D>::zero();
-  for (int k = 1; k <= D; ++k) {
-    for (int i = 0; i < D; ++i) of[k][i] = inverted(k - 1, i);
-    of[0] -= of[k];
+  const double volume = determinant(g) / kFactorial<D>;
+  ContactPotential<D> potential;
+  bool plain = true;
+  for (int c = 0; c < kChords<D>; ++c) {
+    potential.bubble[c] = bubble(e, c);
+    plain = plain && potential.bubble[c] == 0;
   }
-  double b[D + 1];
-  for (int f = 0; f <= D; ++f) b[f] = bubble(e, f);
-  if (b[0] < 0) {
-    // -b[f] * of[f] is the unit normal; the part under face f is as large as its length.
-    for (int f = 0; f <= D; ++f)
-      if (f != a) share.add(of[f] * -b[f], volume / 3);
-    return;
+  for (int k = 0; k <= D; ++k) potential.depth[k] = depth(mesh.nodes(e, k));
+  const int looks = plain ? 1 : kLooks<D>;
+  for (int look = 0; look < looks; ++look) {
+    double l[D + 1];
+    l[a] = 1 - kNear;
+    for (int k = 0, i = 0; k <= D; ++k)
+      if (k != a) l[k] = kNear * look_weight<D>(look, i++);
+    share.add(gradient_in_space<D>(inverted, potential.value(l).edge), volume / looks);
   }
-  Vec<D> base = Vec<D>::zero();
-  for (int k = 0; k <= D; ++k) base += of[k] * depth(mesh.nodes(e, k));
-  int parts = 0;
-  for (int f = 0; f <= D; ++f) parts += f != a && b[f] > 0 ? 1 : 0;
-  for (int f = 0; f <= D; ++f)  // chords that end here: phi grows towards their other end
-    if (f != a && b[f] > 0) share.add(base + of[3 - a - f] * b[f], volume / parts);
-  if (parts > 0) return;
-  if (b[a] > 0) {
-    for (int k = 0; k <= D; ++k)
-      if (k != a) share.add(base + of[k] * b[a], volume / 2);
-    return;
-  }
-  share.add(base, volume);
 }
 
 /// Smooth gradient of a ring node: the mean over the parts of its elements (ALGORITHMS ).
@@ -223,7 +238,7 @@ template <int D>
 struct SmoothGradient {
   SurfaceMesh<D> mesh;
   Array<Index> ring;
-  CornerNumbers<D> bubble;
+  ChordNumbers<D> bubble;
   Array<double> depth;
   Vectors<D> gradient;
 

@@ -88,10 +88,8 @@ struct ContactForceLoop {
       point.x += x[k] * face_weight<D>(q, k);
       point.v += row<D>(in.v, n) * face_weight<D>(q, k);
     }
-    // The face's own outward normal, reversed.
-    const Vec<D> along = x[1] - x[0];
-    const double length = norm(along);
-    point.instead = {-along[1] / length, along[0] / length};
+    point.instead = face_normal(x);
+    point.instead *= -1 / norm(point.instead);
     for (int s = 0; s < kContactSlots; ++s) {
       point.element[s] = out.history.element(a, s);
       if (point.element[s] != kNone) point.old[s] = load_state(out.history, a, s);
@@ -160,9 +158,9 @@ struct ContactForceLoop {
     ContactPotential<D> potential;
     for (int k = 0; k <= D; ++k) {
       potential.depth[k] = in.surface.depth(t, k);
-      potential.bubble[k] = in.surface.bubble(t, k);
       for (int j = 0; j < D; ++j) potential.slope[k][j] = in.surface.slope(t, k, j);
     }
+    for (int c = 0; c < kChords<D>; ++c) potential.bubble[c] = in.surface.bubble(t, c);
     const auto depth = potential.value(l);
     const Index element = in.surface.target(t);
     const int slot = remembered(point, element, node);
@@ -290,9 +288,14 @@ void refresh_point_nodes(const ContactSurface<D>& surface, const ContactPairs<D>
 }
 
 template void contact_force<2>(const ContactForceIn<2>&, const ContactForceOut<2>&);
+template void contact_force<3>(const ContactForceIn<3>&, const ContactForceOut<3>&);
 template void set_contact_points<2>(const ContactSurface<2>&, const ContactPairs<2>&,
                                     const Kokkos::View<const Index*, Memory>&,
                                     const ContactStiffness<2>&, ContactPointData<2>&);
+template void set_contact_points<3>(const ContactSurface<3>&, const ContactPairs<3>&,
+                                    const Kokkos::View<const Index*, Memory>&,
+                                    const ContactStiffness<3>&, ContactPointData<3>&);
 template void refresh_point_nodes<2>(const ContactSurface<2>&, const ContactPairs<2>&);
+template void refresh_point_nodes<3>(const ContactSurface<3>&, const ContactPairs<3>&);
 
 }  // namespace breccia

@@ -73,9 +73,14 @@ template <int D>
 void refresh_point_nodes(const ContactSurface<D>& surface, const ContactPairs<D>& pairs);
 
 extern template void contact_force<2>(const ContactForceIn<2>&, const ContactForceOut<2>&);
+extern template void contact_force<3>(const ContactForceIn<3>&, const ContactForceOut<3>&);
 extern template void set_contact_points<2>(const ContactSurface<2>&, const ContactPairs<2>&,
                                            const Kokkos::View<const Index*, Memory>&,
                                            const ContactStiffness<2>&, ContactPointData<2>&);
+extern template void set_contact_points<3>(const ContactSurface<3>&, const ContactPairs<3>&,
+                                           const Kokkos::View<const Index*, Memory>&,
+                                           const ContactStiffness<3>&, ContactPointData<3>&);
 extern template void refresh_point_nodes<2>(const ContactSurface<2>&, const ContactPairs<2>&);
+extern template void refresh_point_nodes<3>(const ContactSurface<3>&, const ContactPairs<3>&);
 
 }  // namespace breccia

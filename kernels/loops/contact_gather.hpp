@@ -50,12 +50,21 @@ void add_contact_stiffness(const ContactStiffnessIn<D>& in, const Array<double>&
 
 extern template void gather_contact<2>(const ContactSurface<2>&, const ContactPairs<2>&,
                                        const CornerForces<2>&);
+extern template void gather_contact<3>(const ContactSurface<3>&, const ContactPairs<3>&,
+                                       const CornerForces<3>&);
 extern template void flag_contact<2>(const ContactSurface<2>&, const ContactPairs<2>&,
                                      const ConstConnectivity<2>&, const Array<std::uint32_t>&,
+                                     std::uint32_t);
+extern template void flag_contact<3>(const ContactSurface<3>&, const ContactPairs<3>&,
+                                     const ConstConnectivity<3>&, const Array<std::uint32_t>&,
                                      std::uint32_t);
 extern template void clear_contact<2>(const ContactSurface<2>&, const ContactPairs<2>&, Index,
                                       const Array<std::uint32_t>&, std::uint32_t,
                                       const CornerForces<2>&);
+extern template void clear_contact<3>(const ContactSurface<3>&, const ContactPairs<3>&, Index,
+                                      const Array<std::uint32_t>&, std::uint32_t,
+                                      const CornerForces<3>&);
 extern template void add_contact_stiffness<2>(const ContactStiffnessIn<2>&, const Array<double>&);
+extern template void add_contact_stiffness<3>(const ContactStiffnessIn<3>&, const Array<double>&);
 
 }  // namespace breccia

@@ -54,11 +54,19 @@ Index pressing_points(const ContactHistory<D>& history, Index points);
 
 extern template void carry_history<2>(const Array<Index>&, Index, const ContactHistory<2>&,
                                       const Array<Index>&, Index, const ContactHistory<2>&);
+extern template void carry_history<3>(const Array<Index>&, Index, const ContactHistory<3>&,
+                                      const Array<Index>&, Index, const ContactHistory<3>&);
 extern template void copy_history<2>(const Array<Index>&, const ContactHistory<2>&, Index,
                                      const Array<Index>&, const ContactHistory<2>&);
+extern template void copy_history<3>(const Array<Index>&, const ContactHistory<3>&, Index,
+                                     const Array<Index>&, const ContactHistory<3>&);
 extern template void take_over<2>(const ContactHandover<2>&, const ContactPairs<2>&,
                                   const ContactHistory<2>&);
+extern template void take_over<3>(const ContactHandover<3>&, const ContactPairs<3>&,
+                                  const ContactHistory<3>&);
 extern template double stored_energy<2>(const ContactHistory<2>&, Index);
+extern template double stored_energy<3>(const ContactHistory<3>&, Index);
 extern template Index pressing_points<2>(const ContactHistory<2>&, Index);
+extern template Index pressing_points<3>(const ContactHistory<3>&, Index);
 
 }  // namespace breccia

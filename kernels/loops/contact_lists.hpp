@@ -1,9 +1,11 @@
 #pragma once
 #include "base/views.hpp"
+#include "point/contact_potential.hpp"
 
 namespace breccia {
 
-/// Contact points on one face: Gauss points of a segment.
+/// Contact points on one face: Gauss points of a segment, or the three of a triangle that integrate
+/// second order.
 template <int D>
 inline constexpr int kFacePoints = D == 2 ? 2 : 3;
 
@@ -14,10 +16,13 @@ inline constexpr int kContactSlots = 2;
 template <int D>
 KOKKOS_INLINE_FUNCTION
 constexpr double face_weight(int q, int i) {
-  static_assert(D == 2, "contact in space follows");
-  constexpr double kNear = 0.78867513459481288225,
-                   kFar = 0.21132486540518711775;  // (1 +- 3^-1/2) / 2
-  return q == i ? kNear : kFar;
+  if constexpr (D == 2) {
+    constexpr double kNear = 0.78867513459481288225,
+                     kFar = 0.21132486540518711775;  // (1 +- 3^-1/2) / 2
+    return q == i ? kNear : kFar;
+  } else {
+    return q == i ? 2.0 / 3 : 1.0 / 6;
+  }
 }
 
 /// Numbers per corner of the elements, in rows: (element, corner).
@@ -28,6 +33,8 @@ using CornerIndices = Kokkos::View<Index * [D + 1], Rows, Memory>;
 /// (element, corner, component).
 template <int D>
 using CornerVectors = Kokkos::View<double * [D + 1][D], Rows, Memory>;
+template <int D>
+using ChordNumbers = Kokkos::View<double * [kChords<D>], Rows, Memory>;
 template <int D>
 using FaceIndices = Kokkos::View<Index* [D], Rows, Memory>;
 
@@ -45,7 +52,7 @@ struct ContactSurface {
   CornerIndices<D> nodes;     ///< of the targets; anew after nodes split
   CornerVectors<D> place;     ///< where the targets' nodes were at the last search, m
   CornerNumbers<D> depth;     ///< phi at the nodes, m
-  CornerNumbers<D> bubble;    ///< per face, see point/contact_potential.hpp
+  ChordNumbers<D> bubble;     ///< see point/contact_potential.hpp
   Kokkos::View<double * [D + 1][D], Rows, Memory> slope;
 };
 

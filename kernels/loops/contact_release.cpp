@@ -2,6 +2,7 @@
 
 #include "base/simplex.hpp"
 #include "loops/list_tools.hpp"
+#include "point/simplex_geometry.hpp"
 
 namespace breccia {
 
@@ -15,7 +16,6 @@ struct SidesMeet {
 
   KOKKOS_FUNCTION
   bool operator()(Index face) const {
-    static_assert(D == 2, "contact in space follows");
     const Index left = in.elements(face, 0), right = in.elements(face, 1);
     const int i = in.code(face) & 3, j = (in.code(face) >> 2) & 3, turn = in.code(face) >> 4;
     Vec<D> side[D], gap[D], rate[D];
@@ -26,8 +26,8 @@ struct SidesMeet {
       gap[k] = row<D>(x, b) - side[k];
       rate[k] = row<D>(v, b) - row<D>(v, a);
     }
-    const Vec<D> along = side[1] - side[0];
-    const Vec<D> normal = Vec<D>{{along[1], -along[0]}} * (1 / norm(along));
+    Vec<D> normal = face_normal(side);
+    normal *= 1 / norm(normal);
     for (int q = 0; q < kFacePoints<D>; ++q) {
       Vec<D> g = Vec<D>::zero(), r = Vec<D>::zero();
       for (int k = 0; k < D; ++k) {
@@ -80,9 +80,15 @@ bool sides_meet(const ReleasedFaces<D>& in, const Array<Index>& list, Index n,
 
 template void mark_known_releases<2>(const ReleasedFaces<2>&, const ContactSurface<2>&,
                                      Array<std::uint8_t>&);
+template void mark_known_releases<3>(const ReleasedFaces<3>&, const ContactSurface<3>&,
+                                     Array<std::uint8_t>&);
 template Index list_new_releases<2>(const ReleasedFaces<2>&, const Array<std::uint8_t>&,
+                                    Array<Index>&);
+template Index list_new_releases<3>(const ReleasedFaces<3>&, const Array<std::uint8_t>&,
                                     Array<Index>&);
 template bool sides_meet<2>(const ReleasedFaces<2>&, const Array<Index>&, Index,
                             const ConstVectors<2>&, const ConstVectors<2>&, double);
+template bool sides_meet<3>(const ReleasedFaces<3>&, const Array<Index>&, Index,
+                            const ConstVectors<3>&, const ConstVectors<3>&, double);
 
 }  // namespace breccia

@@ -31,9 +31,15 @@ bool sides_meet(const ReleasedFaces<D>& in, const Array<Index>& list, Index n,
 
 extern template void mark_known_releases<2>(const ReleasedFaces<2>&, const ContactSurface<2>&,
                                             Array<std::uint8_t>&);
+extern template void mark_known_releases<3>(const ReleasedFaces<3>&, const ContactSurface<3>&,
+                                            Array<std::uint8_t>&);
 extern template Index list_new_releases<2>(const ReleasedFaces<2>&, const Array<std::uint8_t>&,
+                                           Array<Index>&);
+extern template Index list_new_releases<3>(const ReleasedFaces<3>&, const Array<std::uint8_t>&,
                                            Array<Index>&);
 extern template bool sides_meet<2>(const ReleasedFaces<2>&, const Array<Index>&, Index,
                                    const ConstVectors<2>&, const ConstVectors<2>&, double);
+extern template bool sides_meet<3>(const ReleasedFaces<3>&, const Array<Index>&, Index,
+                                   const ConstVectors<3>&, const ConstVectors<3>&, double);
 
 }  // namespace breccia

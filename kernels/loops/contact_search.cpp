@@ -50,9 +50,9 @@ struct Candidates {
   template <class F>
   KOKKOS_FUNCTION
   void each(Index point, const F& f) const {
-    const ContactGrid grid{bins.cell, bins.buckets};
+    const ContactGrid<D> grid{bins.cell, bins.buckets};
     const Vec<D> q = place(point);
-    for (int level = 0; level < kGridLevels; ++level) {
+    for (int level = 0; level < GridShape<D>::levels; ++level) {
       if ((bins.levels & (1u << level)) == 0) continue;
       const std::uint64_t tag = grid.tag_at(level, q);
       const Index bucket = grid.bucket(tag);
@@ -209,14 +209,23 @@ void finish_contact_pairs(const ContactSurface<D>& surface, ContactSearchScratch
 }
 
 template void take_contact_places<2>(const ConstVectors<2>&, const ContactSurface<2>&);
+template void take_contact_places<3>(const ConstVectors<3>&, const ContactSurface<3>&);
 template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>&,
                                    const ContactSurface<2>&,
                                    const Kokkos::View<const Index, Memory>&);
+template ContactWay contact_way<3>(const ConstVectors<3>&, const ConstVectors<3>&,
+                                   const ContactSurface<3>&,
+                                   const Kokkos::View<const Index, Memory>&);
 template double smallest_contact_size<2>(const ContactSurface<2>&);
+template double smallest_contact_size<3>(const ContactSurface<3>&);
 template void search_contacts<2>(const ContactSurface<2>&, double, ContactSearchScratch<2>&,
                                  ContactPairs<2>&);
+template void search_contacts<3>(const ContactSurface<3>&, double, ContactSearchScratch<3>&,
+                                 ContactPairs<3>&);
 
 template void finish_contact_pairs<2>(const ContactSurface<2>&, ContactSearchScratch<2>&,
                                       ContactPairs<2>&);
+template void finish_contact_pairs<3>(const ContactSurface<3>&, ContactSearchScratch<3>&,
+                                      ContactPairs<3>&);
 
 }  // namespace breccia

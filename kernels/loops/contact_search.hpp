@@ -58,14 +58,23 @@ void finish_contact_pairs(const ContactSurface<D>& surface, ContactSearchScratch
                           ContactPairs<D>& pairs);
 
 extern template void take_contact_places<2>(const ConstVectors<2>&, const ContactSurface<2>&);
+extern template void take_contact_places<3>(const ConstVectors<3>&, const ContactSurface<3>&);
 extern template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>&,
                                           const ContactSurface<2>&,
                                           const Kokkos::View<const Index, Memory>&);
+extern template ContactWay contact_way<3>(const ConstVectors<3>&, const ConstVectors<3>&,
+                                          const ContactSurface<3>&,
+                                          const Kokkos::View<const Index, Memory>&);
 extern template double smallest_contact_size<2>(const ContactSurface<2>&);
+extern template double smallest_contact_size<3>(const ContactSurface<3>&);
 extern template void search_contacts<2>(const ContactSurface<2>&, double, ContactSearchScratch<2>&,
                                         ContactPairs<2>&);
+extern template void search_contacts<3>(const ContactSurface<3>&, double, ContactSearchScratch<3>&,
+                                        ContactPairs<3>&);
 
 extern template void finish_contact_pairs<2>(const ContactSurface<2>&, ContactSearchScratch<2>&,
                                              ContactPairs<2>&);
+extern template void finish_contact_pairs<3>(const ContactSurface<3>&, ContactSearchScratch<3>&,
+                                             ContactPairs<3>&);
 
 }  // namespace breccia

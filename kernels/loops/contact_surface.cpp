@@ -18,8 +18,9 @@ struct MarkFacet {
   double ratio(Index e, int f) const {
     Vec<D> x[D + 1];
     for (int a = 0; a <= D; ++a) x[a] = row<D>(in.reference, in.element_nodes(e, a));
-    const Vec<D> along = x[face_node<D>(f, 1)] - x[face_node<D>(f, 0)];
-    return 0.5 * determinant(edge_matrix<D>(x)) / norm(along);
+    Vec<D> face[D];
+    for (int i = 0; i < D; ++i) face[i] = x[face_node<D>(f, i)];
+    return determinant(edge_matrix<D>(x)) / (kFactorial<D> * norm(face_normal(face)));
   }
 
   KOKKOS_FUNCTION
@@ -71,7 +72,6 @@ struct MarkFacet {
 template <int D>
 void find_facets(const ContactSurfaceIn<D>& in, ContactScratch<D>& scratch,
                  ContactSurface<D>& surface) {
-  static_assert(D == 2, "contact in space follows");
   const Index sides = in.elements * (D + 1);
   make_room(scratch.surface, sides);
   make_room(scratch.height, sides);
@@ -171,13 +171,13 @@ void find_depth(const SurfaceMesh<D>& mesh, const ContactSurfaceIn<D>& in,
   make_room(scratch.depth, in.nodes);
   make_room(scratch.gradient, in.nodes);
   make_room(scratch.bubble, in.elements);
-  const CornerNumbers<D> bubble = scratch.bubble;
+  const ChordNumbers<D> bubble = scratch.bubble;
   for_each(
       "breccia::contact::bubbles", in.elements, KOKKOS_LAMBDA(Index e) {
         if (!mesh.known(e)) return;
-        double b[D + 1];
+        double b[kChords<D>];
         find_bubbles<D>(mesh, e, b);
-        for (int f = 0; f <= D; ++f) bubble(e, f) = b[f];
+        for (int c = 0; c < kChords<D>; ++c) bubble(e, c) = b[c];
       });
   NearestFacet<D> nearest{mesh,          scratch.ring, scratch.nearest, scratch.nearest,
                           scratch.depth, true};
@@ -202,7 +202,7 @@ template <int D>
 struct FillTarget {
   SurfaceMesh<D> mesh;
   ContactSurface<D> surface;
-  CornerNumbers<D> bubble;
+  ChordNumbers<D> bubble;
   Array<double> depth;
   Vectors<D> gradient;
   Index layers;
@@ -219,13 +219,13 @@ struct FillTarget {
       nearest = mesh.level(n) < nearest ? mesh.level(n) : nearest;
       surface.nodes(t, a) = n;
       surface.depth(t, a) = depth(n);
-      surface.bubble(t, a) = bubble(e, a);
       for (int j = 0; j < D; ++j) {
         double s = 0;
         for (int i = 0; i < D; ++i) s += gradient(n, i) * g(i, j);
         surface.slope(t, a, j) = s;
       }
     }
+    for (int c = 0; c < kChords<D>; ++c) surface.bubble(t, c) = bubble(e, c);
     surface.rim(t) = nearest == layers ? 1 : 0;
   }
 };
@@ -242,9 +242,10 @@ void measure_facets(const ContactSurfaceIn<D>& in, const ContactScratch<D>& scra
       "breccia::contact::measure", surface.facets, KOKKOS_LAMBDA(Index i) {
         const Index facet = s.facet(i), e = facet / (D + 1);
         const int f = facet % (D + 1);
-        const Vec<D> a = row<D>(in.reference, in.element_nodes(e, face_node<D>(f, 0)));
-        const Vec<D> b = row<D>(in.reference, in.element_nodes(e, face_node<D>(f, 1)));
-        s.area(i) = norm(b - a) * in.thickness;
+        Vec<D> x[D];
+        for (int k = 0; k < D; ++k)
+          x[k] = row<D>(in.reference, in.element_nodes(e, face_node<D>(f, k)));
+        s.area(i) = norm(face_normal(x)) * in.thickness;
         s.height(i) = height(facet);
         s.facet_target(i) = find_in(s.target, s.targets, e);
       });
@@ -280,6 +281,9 @@ void refresh_contact_nodes(const ConstConnectivity<D>& element_nodes,
 
 template bool update_contact_surface<2>(const ContactSurfaceIn<2>&, ContactScratch<2>&,
                                         ContactSurface<2>&);
+template bool update_contact_surface<3>(const ContactSurfaceIn<3>&, ContactScratch<3>&,
+                                        ContactSurface<3>&);
 template void refresh_contact_nodes<2>(const ConstConnectivity<2>&, const ContactSurface<2>&);
+template void refresh_contact_nodes<3>(const ConstConnectivity<3>&, const ContactSurface<3>&);
 
 }  // namespace breccia

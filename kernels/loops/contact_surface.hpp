@@ -37,9 +37,9 @@ struct ContactScratch {
   Array<std::uint8_t> edge;     ///< per node: 1 where phi is zero
   Array<std::uint8_t> chosen;   ///< per element
   Array<Index> ring, nearest, nearer;
-  CornerNumbers<D> bubble;  ///< per element face, near the surface
-  Array<double> depth;      ///< per node
-  Vectors<D> gradient;      ///< per node
+  ChordNumbers<D> bubble;  ///< per element, near the surface
+  Array<double> depth;     ///< per node
+  Vectors<D> gradient;     ///< per node
 };
 
 /// Facets, targets and their potential (ALGORITHMS ), from the reference configuration:
@@ -58,7 +58,11 @@ void refresh_contact_nodes(const ConstConnectivity<D>& element_nodes,
 
 extern template bool update_contact_surface<2>(const ContactSurfaceIn<2>&, ContactScratch<2>&,
                                                ContactSurface<2>&);
+extern template bool update_contact_surface<3>(const ContactSurfaceIn<3>&, ContactScratch<3>&,
+                                               ContactSurface<3>&);
 extern template void refresh_contact_nodes<2>(const ConstConnectivity<2>&,
                                               const ContactSurface<2>&);
+extern template void refresh_contact_nodes<3>(const ConstConnectivity<3>&,
+                                              const ContactSurface<3>&);
 
 }  // namespace breccia

@@ -4,26 +4,44 @@
 
 namespace breccia {
 
+/// Chords of an element: faces, then in space edges, all of whose nodes may lie on the surface
+/// while they themselves are inside.
+template <int D>
+inline constexpr int kChords = D == 2 ? 3 : 10;
+
+template <int D>
+KOKKOS_INLINE_FUNCTION
+constexpr int chord_size(int chord) {
+  return chord <= D ? D : 2;
+}
+
+/// Node i of a chord.
+template <int D>
+KOKKOS_INLINE_FUNCTION
+constexpr int chord_node(int chord, int i) {
+  if (chord <= D) return face_node<D>(chord, i);
+  constexpr int edge[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+  return edge[chord - D - 1][i];
+}
+
 /// Contact potential of one element: how deep a point is inside its piece of material (ALGORITHMS
 ///
 ///
 // symbols  phi [m] depth below the surface      L_k [1] barycentric coordinates of the point
 //          phi_k [m] depth of node k, measured in the reference configuration; 0 on the surface
-//          b_f [m] bubble of face f, see below   G [1] gradient of phi, of length about 1
+//          b_c [m] bubble of chord c, see below  G [1] gradient of phi, of length about 1
 //          s_k,j [m] reference gradient at node k times reference edge j: the edges deform, the
 //          numbers do not
-// eq:contact-potential-1   phi = sum_k L_k phi_k + max_f b_f min over the nodes i of f (L_i)
-//   The second term serves faces that are not surface but whose nodes all are (a chord across a
-//   corner or a thin
-//   strip): without it phi would vanish on them. b_f is D times the depth at the middle of the
-//   face.
+// eq:contact-potential-1   phi = sum_k L_k phi_k + max_c b_c min over the nodes i of c (L_i)
+//   The second term serves faces and edges that are not surface but whose nodes all are (a chord
+//   across a corner or a thin strip): without it phi would vanish on them. b_c is the depth at the
+//   middle of the chord times the number of its nodes.
 // eq:contact-potential-2   phi = min_f h_f L_f in an element all of whose faces are surface: its
-// exact depth. The
-//   heights h_f are stored as negative bubbles.
+//   exact depth. The heights h_f are stored as negative bubbles of the faces.
 template <int D>
 struct ContactPotential {
   double depth[D + 1];
-  double bubble[D + 1];
+  double bubble[kChords<D>];
   double slope[D + 1][D];
 
   KOKKOS_INLINE_FUNCTION
@@ -43,14 +61,14 @@ struct ContactPotential {
     for (int j = 0; j < D; ++j) r.edge[j] = depth[j + 1] - depth[0];
     int node = -1;
     double most = 0, height = 0;
-    for (int f = 0; f <= D; ++f) {
-      if (bubble[f] == 0) continue;
-      int least = face_node<D>(f, 0);
-      for (int i = 1; i < D; ++i)
-        if (l[face_node<D>(f, i)] < l[least]) least = face_node<D>(f, i);
-      if (node >= 0 && !(bubble[f] * l[least] > most)) continue;
-      most = bubble[f] * l[least];
-      height = bubble[f];
+    for (int c = 0; c < kChords<D>; ++c) {
+      if (bubble[c] == 0) continue;
+      int least = chord_node<D>(c, 0);
+      for (int i = 1; i < chord_size<D>(c); ++i)
+        if (l[chord_node<D>(c, i)] < l[least]) least = chord_node<D>(c, i);
+      if (node >= 0 && !(bubble[c] * l[least] > most)) continue;
+      most = bubble[c] * l[least];
+      height = bubble[c];
       node = least;
     }
     if (node < 0) return r;

@@ -21,19 +21,56 @@ int side_of_line(const Vec<2>& a, const Vec<2>& b, const Vec<2>& q) {
   return along[0] > 0 ? 1 : -1;
 }
 
-/// True when q lies in the positively oriented triangle. Each edge is looked at from its smaller to
-/// its larger node,
-/// so that the two elements that share it see the same bits and exactly one of them claims q.
+/// Side of the plane through a, b, c on which q lies: +1 where (b - a) x (c - a) points, else -1,
+/// never 0. A point on the plane is moved by (epsilon, epsilon^2, epsilon^3), see side_of_line.
+KOKKOS_INLINE_FUNCTION
+int side_of_plane(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, const Vec<3>& q) {
+  const Vec<3> u = b - a, v = c - a, reach = q - a;
+  const Vec<3> n = cross(u, v);
+  bool at_b = true, at_c = true;
+  for (int d = 0; d < 3; ++d) {
+    at_b = at_b && reach[d] == u[d];
+    at_c = at_c && reach[d] == v[d];
+  }
+  const double s = at_b || at_c ? 0.0 : dot(n, reach);
+  if (s != 0) return s > 0 ? 1 : -1;
+  for (int d = 0; d < 2; ++d)
+    if (n[d] != 0) return n[d] > 0 ? 1 : -1;
+  return n[2] > 0 ? 1 : -1;
+}
+
+/// Side of face f of a simplex: -1 outside. The nodes of the face are taken in ascending order, so
+/// that the two elements that share it see the same bits.
+template <int D>
+KOKKOS_INLINE_FUNCTION
+int side_of_face(const Vec<D> (&x)[D + 1], const Index (&node)[D + 1], int f, const Vec<D>& q) {
+  int i = face_node<D>(f, 0), j = face_node<D>(f, 1);
+  int turn = 1;
+  const auto order = [&](int& a, int& b) {
+    if (node[a] < node[b]) return;
+    const int c = a;
+    a = b;
+    b = c;
+    turn = -turn;
+  };
+  if constexpr (D == 2) {
+    order(i, j);
+    return turn * side_of_line(x[i], x[j], q);
+  } else {
+    int k = face_node<D>(f, 2);
+    order(i, j);
+    order(j, k);
+    order(i, j);
+    return -turn * side_of_plane(x[i], x[j], x[k], q);
+  }
+}
+
+/// True when q lies in the positively oriented simplex; exactly one element of a mesh claims q.
 template <int D>
 KOKKOS_FUNCTION
 bool claims(const Vec<D> (&x)[D + 1], const Index (&node)[D + 1], const Vec<D>& q) {
-  static_assert(D == 2, "contact in space follows");
-  for (int f = 0; f <= D; ++f) {
-    const int i = face_node<D>(f, 0), j = face_node<D>(f, 1);
-    const bool ordered = node[i] < node[j];
-    const int side = ordered ? side_of_line(x[i], x[j], q) : -side_of_line(x[j], x[i], q);
-    if (side < 0) return false;
-  }
+  for (int f = 0; f <= D; ++f)
+    if (side_of_face<D>(x, node, f, q) < 0) return false;
   return true;
 }
 
@@ -60,23 +97,67 @@ void barycentric(const Mat<D>& inverse_edges, const Vec<D>& x0, const Vec<D>& q,
   }
 }
 
-/// Square of the distance from q to the segment a b.
+/// Outward normal of a face, given by its nodes in the order of face_node, times its length (in the
+/// plane) or area.
+KOKKOS_INLINE_FUNCTION
+Vec<2> face_normal(const Vec<2> (&x)[2]) {
+  const Vec<2> along = x[1] - x[0];
+  return {{along[1], -along[0]}};
+}
+KOKKOS_INLINE_FUNCTION
+Vec<3> face_normal(const Vec<3> (&x)[3]) {
+  return cross(x[1] - x[0], x[2] - x[0]) * 0.5;
+}
+
+/// Weights of the point of a segment that is nearest to q.
 template <int D>
 KOKKOS_INLINE_FUNCTION
-double square_distance_to_segment(const Vec<D>& a, const Vec<D>& b, const Vec<D>& q) {
-  const Vec<D> along = b - a;
+void nearest_on(const Vec<D> (&x)[2], const Vec<D>& q, double (&w)[2]) {
+  const Vec<D> along = x[1] - x[0];
   const double length2 = norm2(along);
-  double s = length2 > 0 ? dot(q - a, along) / length2 : 0;
-  s = s < 0 ? 0 : (s > 1 ? 1 : s);
-  return norm2(q - a - along * s);
+  const double s = length2 > 0 ? dot(q - x[0], along) / length2 : 0;
+  w[1] = s < 0 ? 0 : (s > 1 ? 1 : s);
+  w[0] = 1 - w[1];
+}
+
+/// Weights of the point of a triangle that is nearest to q.
+KOKKOS_FUNCTION
+inline void nearest_on(const Vec<3> (&x)[3], const Vec<3>& q, double (&w)[3]) {
+  const Vec<3> u = x[1] - x[0], v = x[2] - x[0], r = q - x[0];
+  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), ru = dot(r, u), rv = dot(r, v);
+  const double area2 = uu * vv - uv * uv;
+  w[1] = vv * ru - uv * rv;
+  w[2] = uu * rv - uv * ru;
+  if (area2 > 0 && w[1] >= 0 && w[2] >= 0 && w[1] + w[2] <= area2) {
+    w[1] /= area2;
+    w[2] /= area2;
+    w[0] = 1 - w[1] - w[2];
+    return;
+  }
+  double best = -1;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const Vec<3> edge[2] = {x[i], x[j]};
+    double s[2];
+    nearest_on<3>(edge, q, s);
+    const double d2 = norm2(q - x[i] * s[0] - x[j] * s[1]);
+    if (best >= 0 && d2 >= best) continue;
+    best = d2;
+    w[i] = s[0];
+    w[j] = s[1];
+    w[3 - i - j] = 0;
+  }
 }
 
 /// Square of the distance from q to a face, given by its D nodes.
 template <int D>
 KOKKOS_INLINE_FUNCTION
 double square_distance_to_face(const Vec<D> (&x)[D], const Vec<D>& q) {
-  static_assert(D == 2, "contact in space follows");
-  return square_distance_to_segment(x[0], x[1], q);
+  double w[D];
+  nearest_on(x, q, w);
+  Vec<D> gap = q;
+  for (int i = 0; i < D; ++i) gap -= x[i] * w[i];
+  return norm2(gap);
 }
 
 /// Square of the distance from q to a simplex; zero inside. `l` receives barycentric weights of the
@@ -84,24 +165,22 @@ double square_distance_to_face(const Vec<D> (&x)[D], const Vec<D>& q) {
 template <int D>
 KOKKOS_FUNCTION
 double square_distance_to_simplex(const Vec<D> (&x)[D + 1], const Vec<D>& q, double (&l)[D + 1]) {
-  static_assert(D == 2, "contact in space follows");
   barycentric(inverse(edge_matrix<D>(x)), x[0], q, l);
   bool within = true;
   for (int k = 0; k <= D; ++k) within = within && l[k] >= 0;
   if (within) return 0;
   double best = -1;
   for (int f = 0; f <= D; ++f) {
-    const int i = face_node<D>(f, 0), j = face_node<D>(f, 1);
-    const Vec<D> along = x[j] - x[i];
-    const double length2 = norm2(along);
-    double s = length2 > 0 ? dot(q - x[i], along) / length2 : 0;
-    s = s < 0 ? 0 : (s > 1 ? 1 : s);
-    const double d2 = norm2(q - x[i] - along * s);
+    Vec<D> face[D], gap = q;
+    for (int i = 0; i < D; ++i) face[i] = x[face_node<D>(f, i)];
+    double w[D];
+    nearest_on(face, q, w);
+    for (int i = 0; i < D; ++i) gap -= face[i] * w[i];
+    const double d2 = norm2(gap);
     if (best >= 0 && d2 >= best) continue;
     best = d2;
     l[f] = 0;
-    l[i] = 1 - s;
-    l[j] = s;
+    for (int i = 0; i < D; ++i) l[face_node<D>(f, i)] = w[i];
   }
   return best;
 }

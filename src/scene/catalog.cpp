@@ -23,9 +23,7 @@ std::vector<std::unique_ptr<Module<D>>> make_modules(const Settings& scene) {
   if (Gravity<D>::wanted(scene)) list.push_back(std::make_unique<Gravity<D>>());
   if (Boundary<D>::wanted(scene)) list.push_back(std::make_unique<Boundary<D>>());
   if (Fracture<D>::wanted(scene)) list.push_back(std::make_unique<Fracture<D>>());
-  // In space the schema refuses [contact].
-  if constexpr (D == 2)
-    if (Contact<2>::wanted(scene)) list.push_back(std::make_unique<Contact<2>>());
+  if (Contact<D>::wanted(scene)) list.push_back(std::make_unique<Contact<D>>());
   if (Rigid<D>::wanted(scene)) list.push_back(std::make_unique<Rigid<D>>());
   // Behind all that exert forces: it looks at their sum.
   if (RestModule<D>::wanted(scene)) list.push_back(std::make_unique<RestModule<D>>());

@@ -127,9 +127,6 @@ EFFECT_KEYS = [
     Case("check against a share of zero", base=EFFECTS,
          edit=end_with('[[check]]\nname = "c"\nvalue = "res_2"\nreference = "0"\ntolerance = "1 %"\n'),
          at='tolerance = "1 %"', says=["a share of a reference of 0 allows nothing", "unit of the value"]),
-    Case("contact in space", base=SPACE, edit=[("[material.steel]", "[contact]\n[material.steel]")],
-         at="[contact]",
-         says=["contact: 3D contact follows in a later release", "leave [contact] out"]),
 ]
 
 FILES = [

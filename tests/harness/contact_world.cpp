@@ -9,20 +9,25 @@ constexpr std::uint8_t kReleased = 2;
 constexpr std::uint32_t kBit = 16;
 }  // namespace
 
-ContactWorld::ContactWorld(Mesh<2> m) : mesh(std::move(m)), topology(build_topology(mesh)) {
+template <int D>
+ContactWorld<D>::ContactWorld(Mesh<D> m) : mesh(std::move(m)), topology(build_topology(mesh)) {
   const auto points = static_cast<std::size_t>(mesh.points());
   const auto elements = static_cast<std::size_t>(mesh.elements());
-  for (const Point<2>& p : mesh.point) x.push_back({{p[0], p[1]}});
-  v.assign(points, Vec<2>::zero());
+  for (const Point<D>& p : mesh.point) {
+    Vec<D> at;
+    for (int d = 0; d < D; ++d) at[d] = p[d];
+    x.push_back(at);
+  }
+  v.assign(points, Vec<D>::zero());
   released.assign(topology.shared.size(), 0);
-  nodes_ = Connectivity<2>("nodes", elements);
+  nodes_ = Connectivity<D>("nodes", elements);
   const auto nodes = Kokkos::create_mirror_view(nodes_);
   for (std::size_t e = 0; e < elements; ++e)
-    for (int a = 0; a < 3; ++a) nodes(e, a) = mesh.element[e][a];
+    for (int a = 0; a <= D; ++a) nodes(e, a) = mesh.element[e][a];
   Kokkos::deep_copy(nodes_, nodes);
-  x_ = Vectors<2>("x", points);
-  v_ = Vectors<2>("v", points);
-  reference_ = Vectors<2>("reference", points);
+  x_ = Vectors<D>("x", points);
+  v_ = Vectors<D>("v", points);
+  reference_ = Vectors<D>("reference", points);
   upload();
   Kokkos::deep_copy(reference_, x_);
   corners_ = Ranges("corners", points);
@@ -32,7 +37,7 @@ ContactWorld::ContactWorld(Mesh<2> m) : mesh(std::move(m)), topology(build_topol
   Kokkos::deep_copy(corners_, corners);
   corner_list_ = to_device("corner_list", topology.family_corner);
   std::vector<Index> free;
-  for (const ElementFace& f : topology.free) free.push_back(f.element * 3 + f.face);
+  for (const ElementFace& f : topology.free) free.push_back(f.element * (D + 1) + f.face);
   free_ = to_device("free", free);
   material_ = Array<Index>("material", elements);
   std::vector<std::uint8_t> code;
@@ -42,20 +47,21 @@ ContactWorld::ContactWorld(Mesh<2> m) : mesh(std::move(m)), topology(build_topol
     const SharedFace& f = topology.shared[i];
     sides(i, 0) = f.left;
     sides(i, 1) = f.right;
-    code.push_back(static_cast<std::uint8_t>(f.left_face | f.right_face << 2));
+    code.push_back(static_cast<std::uint8_t>(f.left_face | f.right_face << 2 | f.rotation << 4));
   }
   Kokkos::deep_copy(face_elements_, sides);
   code_ = to_device("code", code);
   flags_ = Array<std::uint32_t>("flags", points);
-  force_ = CornerForces<2>("force", elements);
+  force_ = CornerForces<D>("force", elements);
   signals_.value = Array<Index>("signals", ContactSignals::count);
 }
 
-void ContactWorld::upload() const {
+template <int D>
+void ContactWorld<D>::upload() const {
   const auto hx = Kokkos::create_mirror_view(x_);
   const auto hv = Kokkos::create_mirror_view(v_);
   for (std::size_t n = 0; n < x.size(); ++n)
-    for (int d = 0; d < 2; ++d) {
+    for (int d = 0; d < D; ++d) {
       hx(n, d) = x[n][d];
       hv(n, d) = v[n][d];
     }
@@ -63,11 +69,12 @@ void ContactWorld::upload() const {
   Kokkos::deep_copy(v_, hv);
 }
 
-void ContactWorld::update_surface() {
+template <int D>
+void ContactWorld<D>::update_surface() {
   std::vector<std::uint8_t> status;
   for (const char r : released) status.push_back(r ? kReleased : 0);
   status_ = to_device("status", status);
-  ContactSurfaceIn<2> in;
+  ContactSurfaceIn<D> in;
   in.nodes = mesh.points();
   in.elements = mesh.elements();
   in.faces = static_cast<Index>(released.size());
@@ -84,20 +91,21 @@ void ContactWorld::update_surface() {
   update_contact_surface(in, scratch_, surface);
 }
 
-void ContactWorld::search() {
+template <int D>
+void ContactWorld<D>::search() {
   upload();
-  clear_contact<2>(surface, pairs, mesh.points(), flags_, kBit, force_);
-  take_contact_places<2>(x_, surface);
+  clear_contact<D>(surface, pairs, mesh.points(), flags_, kBit, force_);
+  take_contact_places<D>(x_, surface);
   search_contacts(surface, skin, search_scratch_, pairs);
   refresh_point_nodes(surface, pairs);
-  flag_contact<2>(surface, pairs, nodes_, flags_, kBit);
-  ContactStiffness<2> rule;
+  flag_contact<D>(surface, pairs, nodes_, flags_, kBit);
+  ContactStiffness<D> rule;
   rule.fixed = stiffness;
   rule.damping = xi;
   Kokkos::View<double* [2], Rows, Memory> material("material", 1);
   Kokkos::deep_copy(material, 1.0);
   rule.material = material;
-  set_contact_points<2>(surface, pairs, material_, rule, point_);
+  set_contact_points<D>(surface, pairs, material_, rule, point_);
   history.element = decltype(history.element)("element", pairs.points);
   Kokkos::deep_copy(history.element, kNone);
   history.state = decltype(history.state)("state", pairs.points);
@@ -110,9 +118,10 @@ void ContactWorld::search() {
   Kokkos::deep_copy(table_, table);
 }
 
-void ContactWorld::force() {
+template <int D>
+void ContactWorld<D>::force() {
   upload();
-  ContactForceIn<2> in;
+  ContactForceIn<D> in;
   in.surface = surface;
   in.pairs = pairs;
   in.point = point_;
@@ -126,48 +135,60 @@ void ContactWorld::force() {
   in.keep = keep;
   in.jumped = jumped;
   in.smooth = smooth;
-  contact_force<2>(in, {history, signals_, lost_});
-  gather_contact<2>(surface, pairs, force_);
+  contact_force<D>(in, {history, signals_, lost_});
+  gather_contact<D>(surface, pairs, force_);
 }
 
-double ContactWorld::stored() const {
+template <int D>
+double ContactWorld<D>::stored() const {
   return stored_energy(history, pairs.points);
 }
 
-Index ContactWorld::signal(int which) const {
+template <int D>
+Index ContactWorld<D>::signal(int which) const {
   return to_host(signals_.value, ContactSignals::count)[which];
 }
 
-std::vector<Vec<2>> ContactWorld::corner_force() const {
+template <int D>
+std::vector<Vec<D>> ContactWorld<D>::corner_force() const {
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, force_);
-  std::vector<Vec<2>> force;
+  std::vector<Vec<D>> force;
   for (Index e = 0; e < mesh.elements(); ++e)
-    for (int a = 0; a < 3; ++a) force.push_back({{host(e, a, 0), host(e, a, 1)}});
+    for (int a = 0; a <= D; ++a) {
+      Vec<D> f;
+      for (int d = 0; d < D; ++d) f[d] = host(e, a, d);
+      force.push_back(f);
+    }
   return force;
 }
 
-std::vector<Vec<2>> ContactWorld::node_force() const {
-  const std::vector<Vec<2>> corner = corner_force();
-  std::vector<Vec<2>> force(x.size(), Vec<2>::zero());
-  for (std::size_t c = 0; c < corner.size(); ++c) force[mesh.element[c / 3][c % 3]] += corner[c];
+template <int D>
+std::vector<Vec<D>> ContactWorld<D>::node_force() const {
+  const std::vector<Vec<D>> corner = corner_force();
+  std::vector<Vec<D>> force(x.size(), Vec<D>::zero());
+  for (std::size_t c = 0; c < corner.size(); ++c)
+    force[mesh.element[c / (D + 1)][c % (D + 1)]] += corner[c];
   return force;
 }
 
-Vec<2> ContactWorld::point_force(Index body) const {
+template <int D>
+Vec<D> ContactWorld<D>::point_force(Index body) const {
   const auto force = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, pairs.point_force);
   const auto point = to_host(pairs.point, pairs.points);
-  Vec<2> sum = Vec<2>::zero();
+  Vec<D> sum = Vec<D>::zero();
   for (Index a = 0; a < pairs.points; ++a)
-    if (mesh.body[point[a] / kFacePoints<2> / 3] == body) sum += row<2>(force, a);
+    if (mesh.body[point[a] / kFacePoints<D> / (D + 1)] == body) sum += row<D>(force, a);
   return sum;
 }
 
-Index ContactWorld::touching() const {
+template <int D>
+Index ContactWorld<D>::touching() const {
   const auto hit = to_host(pairs.hit, pairs.pairs);
   return static_cast<Index>(std::count(hit.begin(), hit.end(), 1));
 }
 
-std::vector<std::pair<Index, Index>> ContactWorld::candidates() const {
+template <int D>
+std::vector<std::pair<Index, Index>> ContactWorld<D>::candidates() const {
   const auto point = to_host(pairs.point, pairs.points);
   const auto begin = to_host(pairs.pair_begin, pairs.points + 1);
   const auto target = to_host(pairs.target, pairs.pairs);
@@ -178,14 +199,16 @@ std::vector<std::pair<Index, Index>> ContactWorld::candidates() const {
   return list;
 }
 
-ContactWay ContactWorld::way() const {
+template <int D>
+ContactWay ContactWorld<D>::way() const {
   upload();
-  return contact_way<2>(x_, v_, surface, Kokkos::subview(signals_.value, ContactSignals::rim));
+  return contact_way<D>(x_, v_, surface, Kokkos::subview(signals_.value, ContactSignals::rim));
 }
 
-std::vector<double> ContactWorld::node_stiffness() const {
+template <int D>
+std::vector<double> ContactWorld<D>::node_stiffness() const {
   Array<double> stiffness_at("stiffness", mesh.points());
-  ContactStiffnessIn<2> in;
+  ContactStiffnessIn<D> in;
   in.surface = surface;
   in.pairs = pairs;
   in.point = point_;
@@ -198,9 +221,12 @@ std::vector<double> ContactWorld::node_stiffness() const {
   in.flags = flags_;
   in.bit = kBit;
   in.nodes = mesh.points();
-  in.corner = CornerNumbers<2>("corner", mesh.elements());
+  in.corner = CornerNumbers<D>("corner", mesh.elements());
   add_contact_stiffness(in, stiffness_at);
   return to_host(stiffness_at, mesh.points());
 }
+
+template class ContactWorld<2>;
+template class ContactWorld<3>;
 
 }  // namespace breccia

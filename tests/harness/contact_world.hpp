@@ -14,13 +14,14 @@ namespace breccia {
 
 /// The contact loops around a mesh, without a scene or a step: for unit tests.
 /// Positions and velocities live on the host and are copied before each call.
+template <int D>
 class ContactWorld {
  public:
-  explicit ContactWorld(Mesh<2> mesh);
+  explicit ContactWorld(Mesh<D> mesh);
 
-  Mesh<2> mesh;
-  Topology<2> topology;
-  std::vector<Vec<2>> x, v;     ///< current
+  Mesh<D> mesh;
+  Topology<D> topology;
+  std::vector<Vec<D>> x, v;     ///< current
   double stiffness = 1e9;       ///< k per area, Pa/m
   double xi = 0, friction = 0;  ///< damping, friction coefficient
   double skin = 0.02;           ///< m
@@ -38,38 +39,41 @@ class ContactWorld {
   Sums<3> lost() const { return total_of(lost_); }
   Index signal(int which) const;
 
-  std::vector<Vec<2>> node_force() const;
-  std::vector<Vec<2>> corner_force() const;  ///< element * 3 + corner
+  std::vector<Vec<D>> node_force() const;
+  std::vector<Vec<D>> corner_force() const;  ///< element * (D + 1) + corner
   /// Sum of the contactor forces of the points on the faces of one body.
-  Vec<2> point_force(Index body) const;
+  Vec<D> point_force(Index body) const;
   Index touching() const;  ///< pairs in contact
   /// (point id, element) of all candidates, sorted.
   std::vector<std::pair<Index, Index>> candidates() const;
   ContactWay way() const;
   std::vector<double> node_stiffness() const;
 
-  ContactSurface<2> surface;
-  ContactPairs<2> pairs;
-  ContactHistory<2> history;
+  ContactSurface<D> surface;
+  ContactPairs<D> pairs;
+  ContactHistory<D> history;
 
  private:
   void upload() const;
-  ContactForceIn<2> input() const;
+  ContactForceIn<D> input() const;
 
-  Connectivity<2> nodes_;
-  Vectors<2> x_, v_, reference_;
+  Connectivity<D> nodes_;
+  Vectors<D> x_, v_, reference_;
   Ranges corners_;
   Array<Index> corner_list_, free_, material_;
   Array<std::uint8_t> status_, code_;
   Ranges face_elements_;
   Array<std::uint32_t> flags_;
-  CornerForces<2> force_;
-  ContactScratch<2> scratch_;
-  ContactSearchScratch<2> search_scratch_;
-  ContactPointData<2> point_;
+  CornerForces<D> force_;
+  ContactScratch<D> scratch_;
+  ContactSearchScratch<D> search_scratch_;
+  ContactPointData<D> point_;
   ContactTable table_;
   ContactSignals signals_;
   ChunkSums<3> lost_;
 };
+
+extern template class ContactWorld<2>;
+extern template class ContactWorld<3>;
 
 }  // namespace breccia

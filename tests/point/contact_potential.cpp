@@ -55,9 +55,10 @@ TEST(ContactPotential, SingleTriangleIsExactDepth) {
     for (double& a : l) a /= sum;
     const Vec<2> q = mix(x, l);
     double depth = 1e9;
-    for (int f = 0; f < 3; ++f)
-      depth = std::min(depth, std::sqrt(square_distance_to_segment(x[face_node<2>(f, 0)],
-                                                                   x[face_node<2>(f, 1)], q)));
+    for (int f = 0; f < 3; ++f) {
+      const Vec<2> face[2] = {x[face_node<2>(f, 0)], x[face_node<2>(f, 1)]};
+      depth = std::min(depth, std::sqrt(square_distance_to_face<2>(face, q)));
+    }
     const auto v = p.value(l);
     EXPECT_NEAR(v.phi, depth, 1e-14);
     const Vec<2> g = gradient_in_space<2>(inverse(edge_matrix<2>(x)), v.edge);

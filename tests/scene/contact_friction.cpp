@@ -130,18 +130,4 @@ TEST(ContactFriction, PairsOverride) {
   EXPECT_NEAR(slope.acceleration(0.08, 0.3), 0.589702, 5e-3 * 0.589702);
 }
 
-TEST(ContactFriction, SpaceIsRefusedWithTheSentence) {
-  try {
-    resolved_scene(
-        "[run]\ndimension = 3\nduration = 1\n[[body]]\nname = \"a\"\nmaterial = \"m\"\n"
-        "shape = { box = { corner = [0, 0, 0], size = [1, 1, 1] } }\n[material.m]\n"
-        "density = 1\nelastic = { young = 1, poisson = 0 }\n[contact]\n");
-    FAIL() << "not refused";
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("3D contact follows in a later release"),
-              std::string::npos)
-        << error.what();
-  }
-}
-
 }  // namespace

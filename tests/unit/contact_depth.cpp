@@ -24,7 +24,7 @@ Mesh<2> block(Point<2> lower, Point<2> upper, Index nx, Index ny, Pattern patter
 
 /// Depth at the nodes of the targets, checked against a function of the place.
 template <class Exact>
-void expect_depth(const ContactWorld& world, const Exact& exact, double tolerance) {
+void expect_depth(const ContactWorld<2>& world, const Exact& exact, double tolerance) {
   const auto target = to_host(world.surface.target, world.surface.targets);
   const auto depth = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, world.surface.depth);
   for (Index t = 0; t < world.surface.targets; ++t)
@@ -38,7 +38,7 @@ void expect_depth(const ContactWorld& world, const Exact& exact, double toleranc
 TEST(ContactDepth, RectangleIsExact) {
   for (const Pattern pattern : {Pattern::right, Pattern::cross, Pattern::union_jack})
     for (const double jitter : {0.0, 0.25}) {
-      ContactWorld world(block({0, 0}, {2, 1}, 20, 10, pattern, jitter));
+      ContactWorld<2> world(block({0, 0}, {2, 1}, 20, 10, pattern, jitter));
       world.layers = 3;
       world.update_surface();
       expect_depth(
@@ -51,7 +51,7 @@ TEST(ContactDepth, RectangleIsExact) {
 }
 
 TEST(ContactDepth, TargetsAreTheLayersBehindTheSurface) {
-  ContactWorld world(block({0, 0}, {2, 1}, 20, 10, Pattern::right, 0));
+  ContactWorld<2> world(block({0, 0}, {2, 1}, 20, 10, Pattern::right, 0));
   const auto targets = [&](Index layers) {
     world.layers = layers;
     world.update_surface();
@@ -88,7 +88,7 @@ TEST(ContactDepth, PolygonAndNormals) {
       mesh.body.insert(mesh.body.end(), {0, 0});
     }
   // Only the outer side is a surface here: the inner ring is not part of the check.
-  ContactWorld world(mesh);
+  ContactWorld<2> world(mesh);
   world.layers = 0;
   world.update_surface();
   const auto target = to_host(world.surface.target, world.surface.targets);
@@ -105,7 +105,7 @@ TEST(ContactDepth, PolygonAndNormals) {
 
 // Two faces that have been released become surface on both sides; a crack of one face does not.
 TEST(ContactDepth, ReleasedFacesAreSurface) {
-  ContactWorld world(block({0, 0}, {1, 1}, 4, 4, Pattern::cross, 0));
+  ContactWorld<2> world(block({0, 0}, {1, 1}, 4, 4, Pattern::cross, 0));
   world.update_surface();
   const Index before = world.surface.facets;
   world.released[10] = 1;

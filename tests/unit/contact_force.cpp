@@ -24,10 +24,10 @@ Mesh<2> random_block(Point<2> lower, Point<2> upper, Index nx, Index ny, std::ui
 }
 
 /// V-033: a block of width 1 pressed `overlap` into a wide one; h = 0.1.
-ContactWorld flat_on_flat(std::uint64_t seed, double offset, double overlap, bool below) {
-  ContactWorld world(join({random_block({offset, 0}, {1 + offset, 0.6}, 10, 6, seed),
-                           below ? random_block({-1, -0.6}, {2.2, 0}, 29, 5, seed + 1)
-                                 : random_block({-1, 0.6}, {2.2, 1.2}, 29, 5, seed + 1)}));
+ContactWorld<2> flat_on_flat(std::uint64_t seed, double offset, double overlap, bool below) {
+  ContactWorld<2> world(join({random_block({offset, 0}, {1 + offset, 0.6}, 10, 6, seed),
+                              below ? random_block({-1, -0.6}, {2.2, 0}, 29, 5, seed + 1)
+                                    : random_block({-1, 0.6}, {2.2, 1.2}, 29, 5, seed + 1)}));
   move_body(world, 0, {{0, below ? -overlap : overlap}});
   world.update_surface();
   world.search();
@@ -41,7 +41,7 @@ TEST(ContactForce, FlatOnFlatIsMeshIndependent) {
   const double overlap = 1e-4, width = 1.0;
   for (std::uint64_t seed = 1; seed < 9; ++seed)
     for (const bool below : {true, false}) {
-      const ContactWorld world = flat_on_flat(seed, 0.013 * seed, overlap, below);
+      const ContactWorld<2> world = flat_on_flat(seed, 0.013 * seed, overlap, below);
       const Vec<2> block = world.point_force(0);
       const double expected = 0.5 * world.stiffness * overlap * width * (below ? 1 : -1);
       EXPECT_NEAR(block[1], expected, 1e-6 * std::abs(expected));
@@ -53,7 +53,7 @@ TEST(ContactForce, FlatOnFlatIsMeshIndependent) {
 
 TEST(ContactForce, FlatOnFlatDoesNotFeelTheOffset) {
   const double overlap = 1e-4, expected = 0.5 * 1e9 * overlap;
-  ContactWorld world = flat_on_flat(3, 0, overlap, true);
+  ContactWorld<2> world = flat_on_flat(3, 0, overlap, true);
   for (int i = 0; i < 200; ++i) {
     move_body(world, 0, {{0.1 / 200, 0}});
     world.search();
@@ -64,7 +64,7 @@ TEST(ContactForce, FlatOnFlatDoesNotFeelTheOffset) {
 
 /// Distributed potential contact as a control (ALGORITHMS ): phi = 3 min L_k of the element
 /// that holds the point, of its own scale and zero on every edge; gradient of the element.
-Vec<2> classical_force(const ContactWorld& world, const Vec<2>& at, Index body) {
+Vec<2> classical_force(const ContactWorld<2>& world, const Vec<2>& at, Index body) {
   for (Index e = 0; e < world.mesh.elements(); ++e) {
     if (world.mesh.body[e] != body) continue;
     Vec<2> x[3];
@@ -93,7 +93,7 @@ struct Drag {
 
 /// Path: position of the probe's point and the exact outward normal there, at arc length s.
 template <class Path>
-Drag drag(ContactWorld& world, const Path& path, int samples, bool classical = false) {
+Drag drag(ContactWorld<2>& world, const Path& path, int samples, bool classical = false) {
   std::vector<Vec<2>> forces, normals;
   for (int i = 0; i < samples; ++i) {
     Vec<2> at, normal;
@@ -138,7 +138,7 @@ Mesh<2> needle(const Vec<2>& at, const Vec<2>& out) {
 
 TEST(ContactForce, DraggedAlongAFlatSurface) {
   const double h = 0.1, depth = 0.05 * h;
-  ContactWorld world(
+  ContactWorld<2> world(
       join({random_block({0, 0}, {6, 0.5}, 60, 5, 4), needle({{0.5, 0.6}}, {{0, 0.05}})}));
   world.skin = 0.01;
   world.update_surface();
@@ -168,8 +168,8 @@ struct PolygonPath {
 };
 
 /// Needle from outside and a disc; the needle must not turn, so one octant at a time.
-ContactWorld disc_and_needle(int sides) {
-  ContactWorld world(join(
+ContactWorld<2> disc_and_needle(int sides) {
+  ContactWorld<2> world(join(
       {ring_disc({{0, 0}}, 1, sides, sides / 6, 0, "disc"), needle({{1.5, 0}}, {{0.3, 0.12}})}));
   world.skin = 0.02;
   world.update_surface();
@@ -182,7 +182,7 @@ TEST(ContactForce, DraggedAlongAPolygon) {
   for (int i = 0; i < 3; ++i) {
     const int sides = 16 << i;
     const double h = 2 * std::numbers::pi / sides, depth = 0.05 * h;
-    ContactWorld world = disc_and_needle(sides);
+    ContactWorld<2> world = disc_and_needle(sides);
     const PolygonPath path{sides, depth, 1e-3 * h};
     const Drag d = drag(world, path, 2000);
     const Drag old = drag(world, path, 2000, true);

@@ -63,7 +63,7 @@ inline Mesh<2> join(std::vector<Mesh<2>> bodies) {
   return all;
 }
 
-inline void move_body(ContactWorld& world, Index body, const Vec<2>& by) {
+inline void move_body(ContactWorld<2>& world, Index body, const Vec<2>& by) {
   std::vector<char> moved(world.x.size(), 0);
   for (std::size_t e = 0; e < world.mesh.element.size(); ++e)
     if (world.mesh.body[e] == body)

@@ -38,7 +38,7 @@ Mesh<2> polygons(int count, double ratio, bool clustered, std::uint64_t seed) {
 }
 
 /// Distance test of every contact point against every element of another body.
-std::vector<std::pair<Index, Index>> brute_force(const ContactWorld& world, double reach) {
+std::vector<std::pair<Index, Index>> brute_force(const ContactWorld<2>& world, double reach) {
   std::vector<std::pair<Index, Index>> list;
   for (const ElementFace& face : world.topology.free) {
     const auto& own = world.mesh.element[face.element];
@@ -62,7 +62,7 @@ std::vector<std::pair<Index, Index>> brute_force(const ContactWorld& world, doub
 TEST(ContactSearch, EqualsBruteForce) {
   for (const bool clustered : {false, true})
     for (const double ratio : {1.0, 50.0}) {
-      ContactWorld world(polygons(300, ratio, clustered, 5));
+      ContactWorld<2> world(polygons(300, ratio, clustered, 5));
       world.skin = 0.1;
       world.update_surface();
       world.search();
@@ -75,12 +75,12 @@ TEST(ContactSearch, EqualsBruteForce) {
 
 // V-054 at 1e4 polygons; brute force over a sample of the points.
 TEST(ContactSearch, TenThousandPolygons) {
-  ContactWorld world(polygons(10000, 50.0, false, 6));
+  ContactWorld<2> world(polygons(10000, 50.0, false, 6));
   world.skin = 0.1;
   world.update_surface();
   world.search();
   const auto found = world.candidates();
-  ContactWorld sample = world;
+  ContactWorld<2> sample = world;
   sample.topology.free.clear();
   for (std::size_t i = 0; i < world.topology.free.size(); i += 300)
     sample.topology.free.push_back(world.topology.free[i]);
@@ -90,7 +90,7 @@ TEST(ContactSearch, TenThousandPolygons) {
 
 // Any motion of up to skin / 2 between two searches finds all its contacts in the old list.
 TEST(ContactSearch, SkinCoversMotion) {
-  ContactWorld world(polygons(400, 10.0, false, 7));
+  ContactWorld<2> world(polygons(400, 10.0, false, 7));
   world.skin = 0.08;
   world.update_surface();
   world.search();
@@ -112,8 +112,8 @@ TEST(ContactSearch, OrderOfBodiesDoesNotMatter) {
   Mesh<2> reversed = mesh;
   std::reverse(reversed.element.begin(), reversed.element.end());
   std::reverse(reversed.body.begin(), reversed.body.end());
-  ContactWorld a(mesh), b(reversed);
-  for (ContactWorld* w : {&a, &b}) {
+  ContactWorld<2> a(mesh), b(reversed);
+  for (ContactWorld<2>* w : {&a, &b}) {
     w->skin = 0.05;
     w->update_surface();
     w->search();

@@ -207,5 +207,6 @@ void Contact<D>::archive(Archive& archive) {
 }
 
 template class Contact<2>;
+template class Contact<3>;
 
 }  // namespace breccia

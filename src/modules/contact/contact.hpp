@@ -10,7 +10,6 @@ namespace breccia {
 void declare_contact_keys(Schema& schema);
 
 /// Bodies, fragments and the two sides of broken faces press and rub against each other.
-/// In the plane only: the schema's rule refuses [contact] in a scene of three dimensions.
 template <int D>
 class Contact final : public Module<D> {
  public:

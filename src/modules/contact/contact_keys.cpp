@@ -7,9 +7,6 @@ namespace {
 void check_contact_rules(const Settings& scene, Problems& problems) {
   if (!scene.has("contact")) return;
   const Settings& contact = scene.at("contact");
-  if (scene.at("run").integer("dimension") == 3)
-    problems.add(contact.error("", "3D contact follows in a later release",
-                               "leave [contact] out, or make the scene two-dimensional"));
   if (contact.has("dynamic_share") != contact.has("weakening_speed"))
     problems.add(contact.error(contact.has("dynamic_share") ? "dynamic_share" : "weakening_speed",
                                "friction falls by a share and over a speed",

@@ -253,5 +253,6 @@ void ContactLists<D>::carry(Model<D>& model, bool released) {
 }
 
 template class ContactLists<2>;
+template class ContactLists<3>;
 
 }  // namespace breccia

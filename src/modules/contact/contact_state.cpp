@@ -94,6 +94,8 @@ std::size_t ContactLists<D>::bytes() const {
 }
 
 template void ContactLists<2>::archive(Archive&);
+template void ContactLists<3>::archive(Archive&);
 template std::size_t ContactLists<2>::bytes() const;
+template std::size_t ContactLists<3>::bytes() const;
 
 }  // namespace breccia

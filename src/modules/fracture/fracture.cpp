@@ -35,7 +35,7 @@ void Fracture<D>::declare(Model<D>& model) {
   laws_ = read_interface_laws(*model.scene, model.materials);
   check_interface_laws(laws_, model);
   // Contact in space does not exist yet; broken pairs then go on pressing by themselves.
-  contact_follows_ = D == 2 && model.scene->has("contact");
+  contact_follows_ = model.scene->has("contact");
   Store& s = model.store;
   const auto faces = static_cast<Index>(model.topology.shared.size());
   s.set_size(Entity::face, faces, faces);
