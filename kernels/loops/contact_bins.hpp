@@ -26,15 +26,10 @@ struct ContactBox {
   Vec<D> low, high;
 
   KOKKOS_FUNCTION
-  ContactBox(const CornerVectors<D>& place, Index t, double skin) {
+  ContactBox(const ContactBins<D>& bins, Index t) {
     for (int d = 0; d < D; ++d) {
-      low[d] = high[d] = place(t, 0, d);
-      for (int a = 1; a <= D; ++a) {
-        low[d] = place(t, a, d) < low[d] ? place(t, a, d) : low[d];
-        high[d] = place(t, a, d) > high[d] ? place(t, a, d) : high[d];
-      }
-      low[d] -= skin;
-      high[d] += skin;
+      low[d] = bins.box(t, d);
+      high[d] = bins.box(t, D + d);
     }
   }
   KOKKOS_FUNCTION
@@ -42,12 +37,6 @@ struct ContactBox {
     double s = 0;
     for (int d = 0; d < D; ++d) s = high[d] - low[d] > s ? high[d] - low[d] : s;
     return s;
-  }
-  KOKKOS_FUNCTION
-  bool holds(const Vec<D>& q) const {
-    bool in = true;
-    for (int d = 0; d < D; ++d) in = in && q[d] >= low[d] && q[d] <= high[d];
-    return in;
   }
 };
 

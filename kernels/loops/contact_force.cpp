@@ -59,17 +59,13 @@ struct ContactForceLoop {
   void operator()(Index a, Sums<3>& lost) const {
     Point point;
     load(a, point);
+    const Index still = still_in(a, point);
     for (Index p = in.pairs.pair_begin(a); p < in.pairs.pair_begin(a + 1); ++p) {
       const Index t = in.pairs.target(p);
-      Index node[D + 1];
-      Vec<D> x[D + 1];
-      for (int k = 0; k <= D; ++k) {
-        node[k] = in.surface.nodes(t, k);
-        x[k] = row<D>(in.x, node[k]);
-      }
-      const bool inside = claims<D>(x, node, point.x);
+      bool inside = t == still;
+      if (!inside && (still == kNone || !joined(t, still))) inside = claimed(t, point.x);
       in.pairs.hit(p) = inside ? 1 : 0;
-      if (inside) touch(a, p, t, node, x, point, lost);
+      if (inside) touch(a, p, t, point, lost);
     }
     for (int s = 0; s < kContactSlots; ++s)
       if (point.element[s] != kNone) leave(point, s, lost);
@@ -77,6 +73,37 @@ struct ContactForceLoop {
   }
 
  private:
+  KOKKOS_FUNCTION
+  bool claimed(Index t, const Vec<D>& q) const {
+    Index node[D + 1];
+    Vec<D> x[D + 1];
+    for (int k = 0; k <= D; ++k) {
+      node[k] = in.surface.nodes(t, k);
+      x[k] = row<D>(in.x, node[k]);
+    }
+    return claims<D>(x, node, q);
+  }
+
+  KOKKOS_FUNCTION
+  bool joined(Index t, Index other) const {
+    for (int a = 0; a <= D; ++a)
+      for (int b = 0; b <= D; ++b)
+        if (in.surface.nodes(t, a) == in.surface.nodes(other, b)) return true;
+    return false;
+  }
+
+  /// The target that the point was in and still is: then it is in none of those that hang together
+  /// with it.
+  KOKKOS_FUNCTION
+  Index still_in(Index a, const Point& point) const {
+    if (point.element[0] == kNone) return kNone;
+    for (Index p = in.pairs.pair_begin(a); p < in.pairs.pair_begin(a + 1); ++p) {
+      const Index t = in.pairs.target(p);
+      if (in.surface.target(t) == point.element[0]) return claimed(t, point.x) ? t : kNone;
+    }
+    return kNone;
+  }
+
   KOKKOS_FUNCTION
   void load(Index a, Point& point) const {
     const int q = in.pairs.point(a) % kFacePoints<D>;
@@ -150,8 +177,13 @@ struct ContactForceLoop {
   }
 
   KOKKOS_FUNCTION
-  void touch(Index a, Index p, Index t, const Index (&node)[D + 1], const Vec<D> (&x)[D + 1],
-             Point& point, Sums<3>& lost) const {
+  void touch(Index a, Index p, Index t, Point& point, Sums<3>& lost) const {
+    Index node[D + 1];
+    Vec<D> x[D + 1];
+    for (int k = 0; k <= D; ++k) {
+      node[k] = in.surface.nodes(t, k);
+      x[k] = row<D>(in.x, node[k]);
+    }
     const Mat<D> inverted = inverse(edge_matrix<D>(x));
     double l[D + 1];
     barycentric(inverted, x[0], point.x, l);

@@ -36,64 +36,108 @@ struct Candidates {
     return true;
   }
 
+  /// The distance to the plane of a face, -L_f / |grad L_f|, tells most of those that are not near.
   KOKKOS_FUNCTION
   bool near(const Vec<D>& q, Index t) const {
-    if (!ContactBox<D>(surface.place, t, skin).holds(q)) return false;
     Vec<D> x[D + 1];
     for (int a = 0; a <= D; ++a)
       for (int d = 0; d < D; ++d) x[a][d] = surface.place(t, a, d);
+    const Mat<D> inverted = inverse(edge_matrix<D>(x));
     double l[D + 1];
+    barycentric(inverted, x[0], q, l);
+    Vec<D> first = Vec<D>::zero();
+    for (int f = D; f >= 0; --f) {
+      Vec<D> gradient = first;
+      for (int d = 0; f > 0 && d < D; ++d) gradient[d] = inverted(f - 1, d);
+      if (f > 0) first -= gradient;
+      if (l[f] < 0 && l[f] * l[f] > skin * skin * norm2(gradient)) return false;
+    }
     return square_distance_to_simplex<D>(x, q, l) <= skin * skin;
   }
 
-  /// Calls f(t) for each candidate of contact point `point` (face place * kFacePoints + q).
+  KOKKOS_FUNCTION
+  bool in_box(const Vec<D>& q, Index t) const {
+    bool in = true;
+    for (int d = 0; d < D; ++d) in = in && q[d] >= bins.box(t, d) && q[d] <= bins.box(t, D + d);
+    return in;
+  }
+
+  /// Calls f(t) for each target whose box holds q.
   template <class F>
   KOKKOS_FUNCTION
-  void each(Index point, const F& f) const {
+  void each(const Vec<D>& q, const F& f) const {
     const ContactGrid<D> grid{bins.cell, bins.buckets};
-    const Vec<D> q = place(point);
     for (int level = 0; level < GridShape<D>::levels; ++level) {
       if ((bins.levels & (1u << level)) == 0) continue;
       const std::uint64_t tag = grid.tag_at(level, q);
       const Index bucket = grid.bucket(tag);
-      for (Index k = bins.begin(bucket); k < bins.begin(bucket + 1); ++k) {
-        const Index t = bins.target(k);
-        if (bins.tag(k) == tag && apart(point / kFacePoints<D>, t) && near(q, t)) f(t);
-      }
+      for (Index k = bins.begin(bucket); k < bins.begin(bucket + 1); ++k)
+        if (bins.tag(k) == tag && in_box(q, bins.target(k))) f(bins.target(k));
     }
   }
 };
 
+/// Candidates of the points (face place * kFacePoints + q) that are in a box; count holds how many
+/// each has. Returns the number of such points.
+template <int D>
+Index find_candidates(const Candidates<D>& find, Index all_points,
+                      ContactSearchScratch<D>& scratch) {
+  make_room(scratch.count, all_points);
+  const Array<Index> count = scratch.count;
+  for_each(
+      "breccia::contact::count_boxes", all_points, KOKKOS_LAMBDA(Index p) {
+        Index n = 0;
+        find.each(find.place(p), [&](Index) { ++n; });
+        count(p) = n;
+      });
+  const Index points = list_where(
+      "breccia::contact::in_a_box", all_points, KOKKOS_LAMBDA(Index p) { return count(p) > 0; },
+      scratch.active);
+  const Array<Index> active = scratch.active;
+  const Index room = list_begins(
+      "breccia::contact::room", points, KOKKOS_LAMBDA(Index a) { return count(active(a)); },
+      scratch.found_begin);
+  make_room(scratch.found, room);
+  const Array<Index> begin = scratch.found_begin, found = scratch.found;
+  for_each(
+      "breccia::contact::find_candidates", points, KOKKOS_LAMBDA(Index a) {
+        const Index p = active(a);
+        const Vec<D> q = find.place(p);
+        Index k = begin(a);
+        find.each(q, [&](Index t) {
+          if (find.apart(p / kFacePoints<D>, t) && find.near(q, t)) found(k++) = t;
+        });
+        sort_list(&found(begin(a)), k - begin(a));
+        count(p) = k - begin(a);
+      });
+  return points;
+}
+
 /// Points with candidates, and their candidates.
 template <int D>
-void list_pairs(const Candidates<D>& find, Index all_points, Array<Index>& count,
+void list_pairs(const Candidates<D>& find, Index all_points, ContactSearchScratch<D>& scratch,
                 ContactPairs<D>& pairs) {
-  make_room(count, all_points);
-  const Array<Index> counts = count;
-  for_each(
-      "breccia::contact::count_candidates", all_points, KOKKOS_LAMBDA(Index p) {
-        Index n = 0;
-        find.each(p, [&](Index) { ++n; });
-        counts(p) = n;
-      });
+  const Index points = find_candidates(find, all_points, scratch);
+  const Array<Index> active = scratch.active, count = scratch.count;
   pairs.points = list_where(
-      "breccia::contact::points", all_points, KOKKOS_LAMBDA(Index p) { return counts(p) > 0; },
-      pairs.point);
-  make_room(pairs.facet, pairs.points);
-  const Array<Index> point = pairs.point, facet = pairs.facet;
+      "breccia::contact::points", points, KOKKOS_LAMBDA(Index a) { return count(active(a)) > 0; },
+      scratch.kept);
+  const Array<Index> kept = scratch.kept;
   pairs.pairs = list_begins(
-      "breccia::contact::pairs", pairs.points, KOKKOS_LAMBDA(Index a) { return counts(point(a)); },
-      pairs.pair_begin);
+      "breccia::contact::pairs", pairs.points,
+      KOKKOS_LAMBDA(Index a) { return count(active(kept(a))); }, pairs.pair_begin);
+  make_room(pairs.point, pairs.points);
+  make_room(pairs.facet, pairs.points);
   make_room(pairs.target, pairs.pairs);
-  const Array<Index> begin = pairs.pair_begin, target = pairs.target;
+  const ContactPairs<D> to = pairs;
+  const Array<Index> begin = scratch.found_begin, found = scratch.found;
   const Array<Index> number = find.surface.facet;
   for_each(
-      "breccia::contact::fill_candidates", pairs.points, KOKKOS_LAMBDA(Index a) {
-        Index k = begin(a);
-        find.each(point(a), [&](Index t) { target(k++) = t; });
-        sort_list(&target(begin(a)), k - begin(a));
-        facet(a) = point(a) / kFacePoints<D>;
-        point(a) = number(facet(a)) * kFacePoints<D> + point(a) % kFacePoints<D>;
+      "breccia::contact::keep_candidates", pairs.points, KOKKOS_LAMBDA(Index a) {
+        const Index p = active(kept(a)), from = begin(kept(a)), first = to.pair_begin(a);
+        for (Index k = first; k < to.pair_begin(a + 1); ++k) to.target(k) = found(from + k - first);
+        to.facet(a) = p / kFacePoints<D>;
+        to.point(a) = number(to.facet(a)) * kFacePoints<D> + p % kFacePoints<D>;
       });
 }
 
@@ -193,7 +237,7 @@ void search_contacts(const ContactSurface<D>& surface, double skin,
                      ContactSearchScratch<D>& scratch, ContactPairs<D>& pairs) {
   if (surface.targets > 0) fill_contact_bins(surface, skin, scratch.bins);
   const Candidates<D> find{surface, scratch.bins, skin};
-  list_pairs(find, surface.facets * kFacePoints<D>, scratch.count, pairs);
+  list_pairs(find, surface.facets * kFacePoints<D>, scratch, pairs);
   finish_contact_pairs(surface, scratch, pairs);
 }
 

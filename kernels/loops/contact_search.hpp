@@ -3,9 +3,8 @@
 
 namespace breccia {
 
-/// Targets rendered to the cells of a few grids, each four times as coarse as the one before; a
-/// target lies in the
-/// grid that fits its size. Cells are kept in a hash table.
+/// Targets rendered to the cells of a few grids, each coarser than the one before; a target lies in
+/// the grid that fits its size. Cells are kept in a hash table.
 template <int D>
 struct ContactBins {
   Index entries = 0, buckets = 0;
@@ -15,6 +14,8 @@ struct ContactBins {
   Array<Index> fill;
   Array<std::uint64_t> tag;  ///< per entry: the cell, exactly
   Array<Index> target;       ///< per entry
+  Kokkos::View<double * [2 * D], Rows, Memory>
+      box;  ///< of the targets with their skin: low, high; m
 };
 
 /// Memory of the search, kept from one to the next.
@@ -22,6 +23,8 @@ template <int D>
 struct ContactSearchScratch {
   ContactBins<D> bins;
   Array<Index> count;
+  Array<Index> active, kept;        ///< points in a box; those of them with candidates
+  Array<Index> found_begin, found;  ///< candidates of the active points
 };
 
 /// Remembers where the targets' nodes are now.

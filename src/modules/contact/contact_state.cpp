@@ -90,7 +90,8 @@ std::size_t ContactLists<D>::bytes() const {
          memory_of(point_.constants, point_.material, spare_.element, spare_.state) +
          memory_of(c.surface, c.height, c.level, c.edge, c.chosen, c.ring, c.nearest, c.nearer,
                    c.bubble, c.depth, c.gradient) +
-         memory_of(b.bins.begin, b.bins.fill, b.bins.tag, b.bins.target, b.count);
+         memory_of(b.bins.begin, b.bins.fill, b.bins.tag, b.bins.target, b.bins.box, b.count,
+                   b.active, b.kept, b.found_begin, b.found);
 }
 
 template void ContactLists<2>::archive(Archive&);
