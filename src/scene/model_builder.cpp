@@ -6,6 +6,7 @@
 #include "mesh/order.hpp"
 #include "mesh/overlap.hpp"
 #include "mesh/validate.hpp"
+#include "scene/body_copies.hpp"
 #include "scene/body_shapes.hpp"
 #include "scene/excavations.hpp"
 #include "scene/fractures.hpp"
@@ -94,6 +95,7 @@ Mesh<D> build_mesh(const Settings& scene, const std::filesystem::path& folder) {
            mesh_bodies<D>(shapes, [](const std::string& path) { return read_mesh<D>(path); }));
   validate(mesh, "the scene's mesh");
   place_fractures(scene, all, mesh);
+  make_copies(scene, mesh);
   refuse_overlap(mesh);
   return mesh;
 }
@@ -138,58 +140,11 @@ void build_model(const Settings& scene, const std::filesystem::path& folder, Mod
   size_store(model);
 }
 
-template <int D>
-std::vector<double> initial_velocity(const Settings& scene, const Model<D>& model) {
-  std::vector<double> velocity;
-  for (const Settings& body : scene.list("body")) {
-    if (!body.has("velocity") && !body.has("spin") && !body.has("expansion")) continue;
-    const double expansion = body.has("expansion") ? body.number("expansion") : 0.0;
-    velocity.resize(model.mesh.point.size() * D, 0.0);
-    const Index number = find_body(model.mesh, body.name());
-    Vec<D> centre = Vec<D>::zero();
-    double volume = 0;
-    for (Index e = 0; e < model.elements(); ++e) {
-      if (model.mesh.body[e] != number) continue;
-      const auto& nodes = model.mesh.element[e];
-      Mat<D> g;
-      Vec<D> middle = Vec<D>::zero();
-      for (int a = 0; a <= D; ++a)
-        for (int d = 0; d < D; ++d) middle[d] += model.mesh.point[nodes[a]][d] / (D + 1);
-      for (int j = 0; j < D; ++j)
-        for (int d = 0; d < D; ++d)
-          g(d, j) = model.mesh.point[nodes[j + 1]][d] - model.mesh.point[nodes[0]][d];
-      centre += middle * determinant(g);
-      volume += determinant(g);
-    }
-    centre *= 1 / volume;
-    Vec<3> spin = Vec<3>::zero();
-    if (body.has("spin")) {
-      const auto& given = body.vector("spin");
-      if (D == 2)
-        spin[2] = given[0];
-      else
-        std::copy_n(given.begin(), 3, spin.v);
-    }
-    for (const Index n : find_region(model.mesh, body.name())->points) {
-      Vec<3> arm = Vec<3>::zero();
-      for (int d = 0; d < D; ++d) arm[d] = model.mesh.point[n][d] - centre[d];
-      const Vec<3> turning = cross(spin, arm);
-      for (int d = 0; d < D; ++d)
-        velocity[static_cast<std::size_t>(n) * D + d] =
-            turning[d] + expansion * arm[d] +
-            (body.has("velocity") ? body.vector("velocity")[d] : 0.0);
-    }
-  }
-  return velocity;
-}
-
 template Mesh<2> build_mesh<2>(const Settings&, const std::filesystem::path&);
 template Mesh<3> build_mesh<3>(const Settings&, const std::filesystem::path&);
 template std::vector<int> group_sizes(const Settings&, const Mesh<2>&);
 template std::vector<int> group_sizes(const Settings&, const Mesh<3>&);
 template void build_model(const Settings&, const std::filesystem::path&, Model<2>&);
 template void build_model(const Settings&, const std::filesystem::path&, Model<3>&);
-template std::vector<double> initial_velocity(const Settings&, const Model<2>&);
-template std::vector<double> initial_velocity(const Settings&, const Model<3>&);
 
 }  // namespace breccia

@@ -19,9 +19,4 @@ std::vector<int> group_sizes(const Settings& scene, const Mesh<D>& mesh);
 template <int D>
 void build_model(const Settings& scene, const std::filesystem::path& folder, Model<D>& model);
 
-/// Velocity of every node at t = 0, (node, D): that of its body plus the body's spin about its
-/// centre of mass. Empty when nothing moves.
-template <int D>
-std::vector<double> initial_velocity(const Settings& scene, const Model<D>& model);
-
 }  // namespace breccia

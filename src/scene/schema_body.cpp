@@ -127,6 +127,32 @@ void declare_mesh(Schema& schema) {
       .example("[[0, 0], [\"5 mm\", \"5 mm\"]]");
 }
 
+void declare_copies(Schema& schema) {
+  auto s = schema.section("body[].copies")
+               .doc(
+                   "Copies of the body on a raster, whose first site is where the body is. All of "
+                   "them have its name, material and mesh.");
+  s.integers("count").at_least(1).required().doc("Sites along each axis.").example("[10, 10, 10]");
+  s.vector("pitch", unit::length)
+      .required()
+      .doc("Distance of the sites along each axis.")
+      .example("[\"12 mm\", \"12 mm\", \"12 mm\"]");
+  s.integers("hollow")
+      .at_least(0)
+      .doc("Sites left out in the middle of the raster, along each axis.")
+      .example("[4, 4, 4]");
+  s.integer("every").at_least(1).by_default(1).doc(
+      "Only sites whose numbers along the axes add up to offset, or that and a multiple of "
+      "this: bodies of several shapes take turns.");
+  s.integer("offset").at_least(0).by_default(0).doc("See every.");
+  s.number("shift", unit::length)
+      .at_least(0)
+      .doc("Largest random shift along each axis; by run.seed.")
+      .example("0.5 mm");
+  s.flag("turned").by_default(false).doc(
+      "true: each copy is turned at random, about the middle of its box; by run.seed.");
+}
+
 }  // namespace
 
 void declare_body_keys(Schema& schema) {
@@ -150,6 +176,14 @@ void declare_body_keys(Schema& schema) {
   s.flag("rigid").by_default(false).doc(
       "true: it does not deform; it moves and turns as a whole, with the mass and inertia of its "
       "mesh's nodes.");
+  auto towards = schema.section("body[].towards")
+                     .doc("A velocity at the start towards a place, of each copy by itself.");
+  towards.vector("place", unit::length).required().doc("The place.").example("[0, 0, 0]");
+  towards.number("speed", unit::velocity)
+      .required()
+      .doc("How fast; negative: away from it.")
+      .example("100 m/s");
+  declare_copies(schema);
   declare_shape(schema);
   declare_mesh(schema);
 }

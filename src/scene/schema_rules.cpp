@@ -10,6 +10,24 @@ namespace breccia {
 
 namespace {
 
+void check_copies(const Settings& body, int dimension, Problems& problems) {
+  if (!body.has("copies")) return;
+  const Settings& copies = body.at("copies");
+  for (const char* key : {"count", "hollow"})
+    if (copies.has(key) && copies.integers(key).size() != static_cast<std::size_t>(dimension))
+      problems.add(copies.error(key, std::to_string(copies.integers(key).size()) + " numbers for " +
+                                         std::to_string(dimension) + " dimensions"));
+  if (copies.integer("offset") >= copies.integer("every"))
+    problems.add(copies.error("offset", "sites are counted from 0 to every - 1",
+                              "give an offset below " + std::to_string(copies.integer("every"))));
+  if (body.flag("rigid"))
+    problems.add(body.error("rigid", "the copies of a body would be one rigid body",
+                            "leave rigid out, or write a [[body]] for each"));
+  if (body.has("part_of"))
+    problems.add(body.error("part_of", "copies do not grow together with other bodies",
+                            "leave part_of or [body.copies] out"));
+}
+
 /// Keys that only one generator or one dimension knows.
 void check_generator(const Settings& body, int dimension, Problems& problems) {
   const Settings& mesh = body.at("mesh");
@@ -57,6 +75,7 @@ void check_mesh(const Settings& body, int dimension, Problems& problems) {
     problems.add(body.error("mesh.size", "is missing (length)", "for example: size = \"0.5 mm\""));
   }
   check_generator(body, dimension, problems);
+  check_copies(body, dimension, problems);
 }
 
 /// Bodies that grow together share the nodes of common edges, so all or none have mid-edge nodes.

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "fields/solid_fields.hpp"
 #include "scene/catalog.hpp"
+#include "scene/initial_velocity.hpp"
 #include "scene/model_builder.hpp"
 
 #include <fmt/format.h>
