@@ -42,25 +42,10 @@ struct GatherContact {
   }
 };
 
-/// Where each pair would touch, as far as it counts for the stable step: barycentric weights, or
-/// nothing.
+/// Where each pair would touch, as far as it counts for the stable step.
 template <int D>
 struct LikelyContact {
   ContactStiffnessIn<D> in;
-
-  KOKKOS_FUNCTION
-  double distance(Index a, Index p, double (&l)[D + 1]) const {
-    const Index point = in.pairs.point(a), t = in.pairs.target(p),
-                own = in.surface.facet_target(in.pairs.facet(a));
-    const int f = (point / kFacePoints<D>) % (D + 1), q = point % kFacePoints<D>;
-    Vec<D> x[D + 1], at = Vec<D>::zero();
-    for (int k = 0; k <= D; ++k)
-      for (int d = 0; d < D; ++d) x[k][d] = in.surface.place(t, k, d);
-    for (int k = 0; k < D; ++k)
-      for (int d = 0; d < D; ++d)
-        at[d] += face_weight<D>(q, k) * in.surface.place(own, face_node<D>(f, k), d);
-    return square_distance_to_simplex<D>(x, at, l);
-  }
 
   KOKKOS_FUNCTION
   bool joined(Index p, Index r) const {
@@ -71,21 +56,40 @@ struct LikelyContact {
     return false;
   }
 
-  /// Weights of pair p of point a; false when a nearer candidate of the same piece stands for it.
+  /// Distances of a point's pairs; those for which no nearer one of the same piece stands are
+  /// marked as hit.
   KOKKOS_FUNCTION
-  bool counts(Index a, Index p, double (&l)[D + 1]) const {
-    const double d2 = distance(a, p, l);
-    double other[D + 1];
-    for (Index r = in.pairs.pair_begin(a); r < in.pairs.pair_begin(a + 1); ++r) {
-      if (r == p || !joined(p, r)) continue;
-      const double e2 = distance(a, r, other);
-      if (e2 < d2 || (e2 == d2 && r < p)) return false;
+  void operator()(Index a) const {
+    const Index point = in.pairs.point(a), own = in.surface.facet_target(in.pairs.facet(a));
+    const int f = (point / kFacePoints<D>) % (D + 1), q = point % kFacePoints<D>;
+    Vec<D> at = Vec<D>::zero();
+    for (int k = 0; k < D; ++k)
+      for (int d = 0; d < D; ++d)
+        at[d] += face_weight<D>(q, k) * in.surface.place(own, face_node<D>(f, k), d);
+    const Index begin = in.pairs.pair_begin(a), end = in.pairs.pair_begin(a + 1);
+    for (Index p = begin; p < end; ++p) {
+      Vec<D> x[D + 1];
+      for (int k = 0; k <= D; ++k)
+        for (int d = 0; d < D; ++d) x[k][d] = in.surface.place(in.pairs.target(p), k, d);
+      double l[D + 1];
+      in.pairs.pair_distance(p) = square_distance_to_simplex<D>(x, at, l);
+      for (int k = 0; k <= D; ++k) in.pairs.pair_weight(p, k) = l[k];
     }
-    return true;
+    for (Index p = begin; p < end; ++p) {
+      const double d2 = in.pairs.pair_distance(p);
+      bool counts = true;
+      for (Index r = begin; r < end && counts; ++r) {
+        const double e2 = in.pairs.pair_distance(r);
+        counts = r == p || e2 > d2 || (e2 == d2 && r > p) || !joined(p, r);
+      }
+      in.pairs.hit(p) = counts ? 1 : 0;
+    }
   }
 
+  /// Stiffness of a pair that counts, else nothing.
   KOKKOS_FUNCTION
   double stiffness(Index a, Index p) const {
+    if (in.pairs.hit(p) == 0) return 0;
     const Index target = in.surface.target(in.pairs.target(p));
     const Index pair = in.point.material(a) * in.materials + in.element_material(target);
     return in.point.constants(a, 0) * in.table(pair, 1);
@@ -113,12 +117,12 @@ KOKKOS_FUNCTION
 void element_stiffness(const LikelyContact<D>& likely, Index i) {
   const ContactStiffnessIn<D>& in = likely.in;
   const Index t = in.pairs.element(i);
-  double l[D + 1], sum[D + 1];
+  double sum[D + 1];
   for (int a = 0; a <= D; ++a) sum[a] = 0;
   for (Index a = in.pairs.own_begin(t); a < in.pairs.own_begin(t + 1); ++a) {
     double k = 0;
     for (Index p = in.pairs.pair_begin(a); p < in.pairs.pair_begin(a + 1); ++p)
-      if (likely.counts(a, p, l)) k += likely.stiffness(a, p);
+      k += likely.stiffness(a, p);
     const Index point = in.pairs.point(a);
     for (int n = 0; n < D; ++n)
       sum[face_node<D>((point / kFacePoints<D>) % (D + 1), n)] +=
@@ -126,9 +130,9 @@ void element_stiffness(const LikelyContact<D>& likely, Index i) {
   }
   for (Index c = in.pairs.come_begin(t); c < in.pairs.come_begin(t + 1); ++c) {
     const Index p = in.pairs.come(c), a = point_of(in.pairs.pair_begin, in.pairs.points, p);
-    if (!likely.counts(a, p, l)) continue;
     const double k = likely.stiffness(a, p);
-    for (int n = 0; n <= D; ++n) sum[n] += 2 * k * l[n];
+    if (k == 0) continue;
+    for (int n = 0; n <= D; ++n) sum[n] += 2 * k * in.pairs.pair_weight(p, n);
   }
   for (int a = 0; a <= D; ++a) in.corner(in.surface.target(t), a) = sum[a];
 }
@@ -167,13 +171,19 @@ void clear_contact(const ContactSurface<D>& surface, const ContactPairs<D>& pair
 }
 
 template <int D>
-void add_contact_stiffness(const ContactStiffnessIn<D>& in, const Array<double>& stiffness) {
+void find_contact_stiffness(const ContactStiffnessIn<D>& in) {
   if (in.pairs.points == 0) return;
   const LikelyContact<D> likely{in};
   Kokkos::deep_copy(Exec(), in.corner, 0.0);
+  for_each("breccia::contact::likely", in.pairs.points, likely);
   for_each(
       "breccia::contact::corner_stiffness", in.pairs.elements,
       KOKKOS_LAMBDA(Index i) { element_stiffness(likely, i); });
+}
+
+template <int D>
+void add_contact_stiffness(const ContactStiffnessIn<D>& in, const Array<double>& stiffness) {
+  if (in.pairs.points == 0) return;
   for_each(
       "breccia::contact::stiffness", in.nodes, KOKKOS_LAMBDA(Index n) {
         if ((in.flags(n) & in.bit) == 0) return;
@@ -198,7 +208,9 @@ template void clear_contact<2>(const ContactSurface<2>&, const ContactPairs<2>&,
                                const Array<std::uint32_t>&, std::uint32_t, const CornerForces<2>&);
 template void clear_contact<3>(const ContactSurface<3>&, const ContactPairs<3>&, Index,
                                const Array<std::uint32_t>&, std::uint32_t, const CornerForces<3>&);
+template void find_contact_stiffness<2>(const ContactStiffnessIn<2>&);
 template void add_contact_stiffness<2>(const ContactStiffnessIn<2>&, const Array<double>&);
+template void find_contact_stiffness<3>(const ContactStiffnessIn<3>&);
 template void add_contact_stiffness<3>(const ContactStiffnessIn<3>&, const Array<double>&);
 
 }  // namespace breccia

@@ -40,11 +40,14 @@ struct ContactStiffnessIn {
   CornerNumbers<D> corner;  ///< room for all elements
 };
 
-/// Adds to every node twice the stiffness that its contacts have or may soon have: 2 k N_a and 2 k
-/// L_k, by Jensen's
-/// inequality a bound on k |sum N u - sum L u|^2. L is taken at the nearest point of the candidate;
-/// of candidates that
-/// share nodes only the nearest counts, since a point is in one element of a piece.
+/// Twice the stiffness that contacts have or may soon have, on the corners of the elements: 2 k N_a
+/// and 2 k L_k, by Jensen's inequality a bound on k |sum N u - sum L u|^2. L is taken at the nearest
+/// point of the candidate; of candidates that share nodes only the nearest counts, since a point is
+/// in one element of a piece. It holds until the next search or split.
+template <int D>
+void find_contact_stiffness(const ContactStiffnessIn<D>& in);
+
+/// Adds it to the nodes.
 template <int D>
 void add_contact_stiffness(const ContactStiffnessIn<D>& in, const Array<double>& stiffness);
 
@@ -64,7 +67,9 @@ extern template void clear_contact<2>(const ContactSurface<2>&, const ContactPai
 extern template void clear_contact<3>(const ContactSurface<3>&, const ContactPairs<3>&, Index,
                                       const Array<std::uint32_t>&, std::uint32_t,
                                       const CornerForces<3>&);
+extern template void find_contact_stiffness<2>(const ContactStiffnessIn<2>&);
 extern template void add_contact_stiffness<2>(const ContactStiffnessIn<2>&, const Array<double>&);
+extern template void find_contact_stiffness<3>(const ContactStiffnessIn<3>&);
 extern template void add_contact_stiffness<3>(const ContactStiffnessIn<3>&, const Array<double>&);
 
 }  // namespace breccia

@@ -70,7 +70,9 @@ struct ContactPairs {
   Array<Index> element;     ///< targets with either, ascending
   FaceIndices<D> nodes;     ///< of the points' faces; anew after nodes split
 
-  // What the force loop leaves for the gather.
+  Array<double> pair_distance;  ///< square of it, m2: scratch of the stable step
+
+  // What the force loop leaves for the gather; scratch of the stable step in between.
   Array<std::uint8_t> hit;                              ///< per pair
   Kokkos::View<double* [D], Rows, Memory> pair_force;   ///< N on the contactor
   CornerNumbers<D> pair_weight;                         ///< barycentric coordinates in the target

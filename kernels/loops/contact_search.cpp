@@ -1,5 +1,6 @@
 #include "loops/contact_search.hpp"
 
+#include "base/sums.hpp"
 #include "loops/contact_bins.hpp"
 #include "point/simplex_geometry.hpp"
 
@@ -219,17 +220,15 @@ ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
 }
 
 template <int D>
-double smallest_contact_size(const ContactSurface<D>& surface) {
-  double least = 0;
-  if (surface.facets == 0) return least;
+double mean_contact_size(const ContactSurface<D>& surface) {
+  if (surface.facets == 0) return 0;
   const Array<double> height = surface.height;
-  count_launch();
-  Kokkos::parallel_reduce(
-      "breccia::contact::smallest",
-      Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, surface.facets),
-      KOKKOS_LAMBDA(Index i, double& part) { part = height(i) < part ? height(i) : part; },
-      Kokkos::Min<double>(least));
-  return D * least;
+  const ChunkSums<1> rows("breccia::contact::sizes",
+                          static_cast<std::size_t>(chunks_of(surface.facets)));
+  for_each_summed<1>(
+      "breccia::contact::sizes", surface.facets, rows,
+      KOKKOS_LAMBDA(Index i, Sums<1> & sum) { sum[0] += 1 / height(i); });
+  return D * surface.facets / total_of(rows)[0];
 }
 
 template <int D>
@@ -246,6 +245,7 @@ void finish_contact_pairs(const ContactSurface<D>& surface, ContactSearchScratch
                           ContactPairs<D>& pairs) {
   list_elements(surface, scratch.count, pairs);
   make_room(pairs.hit, pairs.pairs);
+  make_room(pairs.pair_distance, pairs.pairs);
   make_room(pairs.pair_force, pairs.pairs);
   make_room(pairs.pair_weight, pairs.pairs);
   make_room(pairs.point_force, pairs.points);
@@ -260,8 +260,8 @@ template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>
 template ContactWay contact_way<3>(const ConstVectors<3>&, const ConstVectors<3>&,
                                    const ContactSurface<3>&,
                                    const Kokkos::View<const Index, Memory>&);
-template double smallest_contact_size<2>(const ContactSurface<2>&);
-template double smallest_contact_size<3>(const ContactSurface<3>&);
+template double mean_contact_size<2>(const ContactSurface<2>&);
+template double mean_contact_size<3>(const ContactSurface<3>&);
 template void search_contacts<2>(const ContactSurface<2>&, double, ContactSearchScratch<2>&,
                                  ContactPairs<2>&);
 template void search_contacts<3>(const ContactSurface<3>&, double, ContactSearchScratch<3>&,

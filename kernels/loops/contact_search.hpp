@@ -42,9 +42,10 @@ ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
                        const ContactSurface<D>& surface,
                        const Kokkos::View<const Index, Memory>& rim);
 
-/// Smallest size of an element behind the surface, m.
+/// Harmonic mean of the sizes of the elements behind the surface, m: many small ones count, a few do
+/// not.
 template <int D>
-double smallest_contact_size(const ContactSurface<D>& surface);
+double mean_contact_size(const ContactSurface<D>& surface);
 
 /// All pairs (contact point, target) whose distance at `surface.place` is at most `skin`, without
 /// targets that share a
@@ -68,8 +69,8 @@ extern template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVec
 extern template ContactWay contact_way<3>(const ConstVectors<3>&, const ConstVectors<3>&,
                                           const ContactSurface<3>&,
                                           const Kokkos::View<const Index, Memory>&);
-extern template double smallest_contact_size<2>(const ContactSurface<2>&);
-extern template double smallest_contact_size<3>(const ContactSurface<3>&);
+extern template double mean_contact_size<2>(const ContactSurface<2>&);
+extern template double mean_contact_size<3>(const ContactSurface<3>&);
 extern template void search_contacts<2>(const ContactSurface<2>&, double, ContactSearchScratch<2>&,
                                         ContactPairs<2>&);
 extern template void search_contacts<3>(const ContactSurface<3>&, double, ContactSearchScratch<3>&,

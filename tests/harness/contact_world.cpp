@@ -222,6 +222,7 @@ std::vector<double> ContactWorld<D>::node_stiffness() const {
   in.bit = kBit;
   in.nodes = mesh.points();
   in.corner = CornerNumbers<D>("corner", mesh.elements());
+  find_contact_stiffness(in);
   add_contact_stiffness(in, stiffness_at);
   return to_host(stiffness_at, mesh.points());
 }

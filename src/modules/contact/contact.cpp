@@ -147,6 +147,8 @@ void Contact<D>::add_stiffness(Model<D>& model, const Array<double>& stiffness) 
   in.bit = node_flag::contact;
   in.nodes = model.nodes();
   in.corner = corner_stiffness_;
+  if (stiffness_of_ != lists_.version()) find_contact_stiffness(in);
+  stiffness_of_ = lists_.version();
   add_contact_stiffness(in, stiffness);
 }
 

@@ -58,8 +58,10 @@ void declare_contact_keys(Schema& schema) {
       .at_most(10)
       .by_default(0.2)
       .doc(
-          "Reach of the contact search over the smallest element at a surface: a larger one "
-          "searches less often and looks at more pairs.");
+          "Least reach of the contact search over the harmonic mean of the elements at surfaces: a "
+          "larger one searches less often and looks at more pairs. For fast bodies it is widened "
+          "by "
+          "itself, to 0.4 at most.");
   contact.choice("direction", {"smooth", "conservative"})
       .by_default("smooth")
       .doc(

@@ -20,6 +20,8 @@ constexpr double kLongestBlink = 8;
 /// Share of the room left in the skin that the speeds of now may use up before the next look;
 /// half, so that speeds may double meanwhile.
 constexpr double kRoom = 0.5;
+/// Steps that one search should last for, and the widest skin for its sake, over the mean size.
+constexpr double kSearchSteps = 16, kWidestSkin = 0.4;
 /// Steps that a released face may stay without contact while its sides are apart. They are looked
 /// at in each step; others that come near, at strains below 2 % (see above), move by a sixth of h
 /// at most.
@@ -76,7 +78,7 @@ template <int D>
 void ContactLists<D>::resume(Model<D>& model, const ContactStiffness<D>& rule) {
   make_room(surface_.nodes, surface_.targets);
   refresh_contact_nodes<D>(model.store.template get<ElementNodes<D>>(), surface_);
-  skin_ = skin_share_ * smallest_contact_size(surface_);
+  size_ = mean_contact_size(surface_);
   finish_contact_pairs(surface_, search_scratch_, pairs_);
   attach(model, rule);
   const ReleasedFaces<D> in = faces(model);
@@ -94,11 +96,13 @@ void ContactLists<D>::look(Model<D>& model, const Clock& clock, const ContactSti
     refresh_contact_nodes<D>(model.store.template get<ElementNodes<D>>(), surface_);
     refresh_point_nodes(surface_, pairs_);
     splits_ = model.splits;
+    ++version_;
   }
   if (!due && clock.step >= next_look_) {
     const ContactWay now = contact_way<D>(model.store.template get<NodePosition<D>>(),
                                           model.store.template get<NodeVelocity<D>>(), surface_,
                                           Kokkos::subview(signals_.value, ContactSignals::rim));
+    chase_ = kSearchSteps * now.speed * clock.dt;
     due = far(model, clock, now);
     deeper = now.rim != 0 && deepen();
   }
@@ -203,15 +207,23 @@ void ContactLists<D>::make_surface(Model<D>& model) {
   in.thickness = model.thickness;
   in.layers = static_cast<Index>(layers_);
   deeper_exist_ = update_contact_surface(in, scratch_, surface_);
-  skin_ = skin_share_ * smallest_contact_size(surface_);
+  size_ = mean_contact_size(surface_);
   mark_known_releases(faces(model), surface_, known_);
   releases_ = seen_releases_ = model.releases;
   splits_ = surface_splits_ = model.splits;
   jumped_ = true;
 }
 
+/// Each of two nodes may go half of the skin.
+template <int D>
+double ContactLists<D>::skin() const {
+  const double widest = std::max(skin_share_, kWidestSkin) * size_;
+  return std::clamp(2 * chase_, skin_share_ * size_, widest);
+}
+
 template <int D>
 void ContactLists<D>::make_pairs(Model<D>& model, const ContactStiffness<D>& rule) {
+  skin_ = skin();
   take_contact_places<D>(model.store.template get<NodePosition<D>>(), surface_);
   search_contacts(surface_, skin_, search_scratch_, pairs_);
   attach(model, rule);
@@ -220,6 +232,7 @@ void ContactLists<D>::make_pairs(Model<D>& model, const ContactStiffness<D>& rul
 template <int D>
 void ContactLists<D>::attach(Model<D>& model, const ContactStiffness<D>& rule) {
   const Store& s = model.store;
+  ++version_;
   refresh_point_nodes(surface_, pairs_);
   flag_contact<D>(surface_, pairs_, s.get<ElementNodes<D>>(), s.get<NodeFlags>(),
                   node_flag::contact);

@@ -16,7 +16,8 @@ namespace breccia {
 template <int D>
 class ContactLists {
  public:
-  /// Free faces of the mesh. `skin`: share of the smallest element behind the surface.
+  /// Free faces of the mesh. `skin`: least reach of the search, over the mean size of elements
+  /// behind the surface.
   void prepare(const Model<D>& model, double skin);
   /// First surface and search; no point remembers anything.
   void start(Model<D>& model, const ContactStiffness<D>& rule);
@@ -29,6 +30,8 @@ class ContactLists {
   const ContactPairs<D>& pairs() const { return pairs_; }
   const ContactPointData<D>& point() const { return point_; }
   const ContactSignals& signals() const { return signals_; }
+  /// Changes whenever pairs or their nodes have.
+  std::int64_t version() const { return version_; }
   /// True once after the potential was computed anew.
   bool take_jump() { return std::exchange(jumped_, false); }
   static ContactHistory<D> history(const Model<D>& model);
@@ -43,6 +46,7 @@ class ContactLists {
   bool deepen();
   void clear(Model<D>& model) const;
   void make_surface(Model<D>& model);
+  double skin() const;
   void make_pairs(Model<D>& model, const ContactStiffness<D>& rule);
   void attach(Model<D>& model, const ContactStiffness<D>& rule);
   void carry(Model<D>& model, bool released);
@@ -59,9 +63,12 @@ class ContactLists {
   Array<Index> fresh_;         ///< released faces that are not part of it yet
   Index old_facets_ = 0, fresh_count_ = 0;
   double skin_share_ = 0, skin_ = 0;
+  double size_ = 0;   ///< mean size of elements behind the surface, m
+  double chase_ = 0;  ///< way of the fastest node in kSearchSteps steps, at the last look, m
   std::int64_t layers_ = 2, splits_ = 0, surface_splits_ = 0, releases_ = 0;
   std::int64_t seen_releases_ = 0, patience_ = 0;  ///< last step in which open faces may wait
   std::int64_t last_look_ = 0, next_look_ = 0;
+  std::int64_t version_ = 0;
   std::int64_t changes_ = 0;  ///< of Model::surface_changes that the surface knows
   bool deeper_exist_ = false, jumped_ = false;
 };

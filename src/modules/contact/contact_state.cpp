@@ -49,6 +49,10 @@ void ContactLists<D>::archive(Archive& archive) {
   archive.integer("contact.patience", patience_);
   archive.integer("contact.splits", splits_);
   archive.integer("contact.surface_splits", surface_splits_);
+  std::vector<double> reach{skin_, chase_};
+  archive.numbers("contact.reach", reach);
+  skin_ = reach[0];
+  chase_ = reach[1];
   archive.integer("contact.last_look", last_look_);
   archive.integer("contact.next_look", next_look_);
   std::int64_t deeper = deeper_exist_ ? 1 : 0;
@@ -86,7 +90,8 @@ std::size_t ContactLists<D>::bytes() const {
   return memory_of(s.facet, s.facet_target, s.area, s.height, s.target, s.rim, s.nodes, s.place,
                    s.depth, s.bubble, s.slope, old_facet_, free_facet_, known_, fresh_) +
          memory_of(p.point, p.facet, p.pair_begin, p.target, p.own_begin, p.come_begin, p.come,
-                   p.element, p.nodes, p.hit, p.pair_force, p.pair_weight, p.point_force) +
+                   p.element, p.nodes, p.hit, p.pair_distance, p.pair_force, p.pair_weight,
+                   p.point_force) +
          memory_of(point_.constants, point_.material, spare_.element, spare_.state) +
          memory_of(c.surface, c.height, c.level, c.edge, c.chosen, c.ring, c.nearest, c.nearer,
                    c.bubble, c.depth, c.gradient) +
