@@ -42,8 +42,8 @@ ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
                        const ContactSurface<D>& surface,
                        const Kokkos::View<const Index, Memory>& rim);
 
-/// Harmonic mean of the sizes of the elements behind the surface, m: many small ones count, a few do
-/// not.
+/// Harmonic mean of the sizes of the elements behind the surface, m: many small ones count, a few
+/// do not.
 template <int D>
 double mean_contact_size(const ContactSurface<D>& surface);
 

@@ -8,8 +8,8 @@ namespace breccia {
 
 namespace {
 
-/// Per point of a body, the piece that it belongs to; the others keep kNone. One piece, or where the
-/// body has copies as many as hang together.
+/// Per point of a body, the piece that it belongs to; the others keep kNone. One piece, or where
+/// the body has copies as many as hang together.
 template <int D>
 std::vector<Index> piece_of_points(const Model<D>& model, Index body, bool copies) {
   const Mesh<D>& mesh = model.mesh;

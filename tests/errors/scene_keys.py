@@ -43,6 +43,34 @@ NAMES = [
          says=["body.0.name: is missing (text)", 'for example: name = "disc"']),
 ]
 
+RASTER = 'pitch = ["30 mm", "20 mm", "20 mm"]'
+
+
+def copies(text):
+    """The bar, copied."""
+    return [('velocity = [0, 0, "1 m/s"]', "copies = { " + text + " }")]
+
+
+COPIES = [
+    Case("raster of two numbers in space", base=SPACE, edit=copies("count = [2, 2], " + RASTER),
+         at="count = [2, 2]", says=["body.bar.copies.count: 2 numbers for 3 dimensions"]),
+    Case("offset beyond every", base=SPACE,
+         edit=copies("count = [2, 2, 2], every = 2, offset = 2, " + RASTER),
+         at="offset = 2", says=["sites are counted from 0 to every - 1", "give an offset below 2"]),
+    Case("raster that is all hollow", base=SPACE,
+         edit=copies("count = [2, 2, 2], hollow = [2, 2, 2], " + RASTER),
+         says=["body.bar.copies: no site of this raster is taken", "lessen the hollow"]),
+    Case("copies that overlap", base=SPACE,
+         edit=copies('count = [2, 1, 1], pitch = ["15 mm", 0, 0]'),
+         says=['body "bar"', "copies 0 and 1 overlap by 0.005 m", "widen the pitch"]),
+    Case("copies of a rigid body", base=SPACE,
+         edit=copies("count = [2, 1, 1], " + RASTER + " }\nrigid = true #"),
+         says=["body.bar.rigid: the copies of a body would be one rigid body"]),
+    Case("copies that grow together", base=SPACE,
+         edit=copies("count = [2, 1, 1], " + RASTER + ' }\npart_of = "bars" #'),
+         says=["body.bar.part_of: copies do not grow together"]),
+]
+
 MISSING = [
     Case("no run", edit=[("[run]", "[gravity.run]")], says=["run: the scene has no [run]"]),
     Case("no body", base="[run]\ndimension = 2\nduration = 1\n",
@@ -239,4 +267,4 @@ TOGETHER = [
                "output.x: no such key"]),
 ]
 
-CASES = NAMES + MISSING + UNITS + RANGES + KINDS + TOGETHER
+CASES = NAMES + COPIES + MISSING + UNITS + RANGES + KINDS + TOGETHER

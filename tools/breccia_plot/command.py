@@ -21,12 +21,16 @@ def arguments(words):
         help="what colours the mesh: an array of the frame, its component (velocity.x), von_mises, sigma_1, "
         "sigma_3 or pressure (default: von_mises, else the speed, else whatever there is)",
     )
+    parser.add_argument(
+        "--without", type=int, nargs="+", default=[], metavar="N",
+        help="bodies to leave out, by their number in the array `body`",
+    )
     parser.add_argument("-o", "--output", metavar="DIR", help="folder of the pictures (default: RUN_FOLDER/pictures)")
     return parser.parse_args(words)
 
 
 def draw(options):
-    run = RunFolder(options.folder)
+    run = RunFolder(options.folder, options.without)
     output = pathlib.Path(options.output) if options.output else run.path / "pictures"
     if len(next(iter(run.history.values()), [])) > 1 and "time" in run.history:
         sheets.draw_histories(run, output / "histories.png")

@@ -45,6 +45,14 @@ def read_arrays(group, on_points, into):
         into[name] = Array(name, data[()], text_of(data.attrs.get("unit", "")), on_points)
 
 
+def keep_cells(cells, arrays, here):
+    """The cells that are `here`; their arrays are cut alike."""
+    for array in arrays.values():
+        if not array.on_points:
+            array.values = array.values[here]
+    return cells[here]
+
+
 def read_grid(path):
     """Reads a frame or a crack file."""
     try:
@@ -57,11 +65,7 @@ def read_grid(path):
             read_arrays(root["CellData"], False, arrays)
             cells = root["Connectivity"][()].reshape(-1, CORNERS[kind])
             if "present" in arrays:  # excavated elements are not drawn
-                here = arrays["present"].values > 0
-                cells = cells[here]
-                for array in arrays.values():
-                    if not array.on_points:
-                        array.values = array.values[here]
+                cells = keep_cells(cells, arrays, arrays["present"].values > 0)
             time = float(root["FieldData/time"][0])
             dimension = int(root.attrs["dimension"][0])
             return Grid(root["Points"][()], cells, kind, arrays, time, dimension)
@@ -87,8 +91,9 @@ def read_table(path):
 class RunFolder:
     """The folder of one run."""
 
-    def __init__(self, path):
+    def __init__(self, path, without=()):
         self.path = pathlib.Path(path)
+        self.without = without  # numbers of bodies that are not drawn
         if not self.path.is_dir():
             raise Trouble(f"{path}: there is no such folder")
         known = ("scene.toml", "history.csv", "report.json", "frames")
@@ -139,7 +144,20 @@ class RunFolder:
         return [int(which)]
 
     def frame(self, number):
-        return read_grid(self.path / "frames" / f"{number:06d}.vtkhdf")
+        path = self.path / "frames" / f"{number:06d}.vtkhdf"
+        grid = read_grid(path)
+        if self.without:
+            body = grid.arrays["body"].values
+            grid.cells = keep_cells(grid.cells, grid.arrays, ~np.isin(body, self.without))
+            if not len(grid.cells):
+                raise Trouble(f"{path}: without bodies {self.without} of {np.unique(body).tolist()} nothing is left")
+            used, place = np.unique(grid.cells, return_inverse=True)
+            grid.cells = place.reshape(grid.cells.shape)
+            grid.points = grid.points[used]
+            for array in grid.arrays.values():
+                if array.on_points:
+                    array.values = array.values[used]
+        return grid
 
     def cracks(self, number):
         """Crack faces of a frame, or None."""

@@ -17,6 +17,21 @@ void check_contact_rules(const Settings& scene, Problems& problems) {
                               "write [\"a\", \"b\"], or [\"a\"] for a against itself"));
 }
 
+void declare_pair_keys(Schema& schema) {
+  SectionBuilder pair = schema.section("contact.pair[]");
+  pair.doc("Friction between two materials, where it differs.");
+  pair.texts("between")
+      .required()
+      .names_one_of("material")
+      .example("[\"steel\", \"granite\"]")
+      .doc("The two materials, or one for a material against itself.");
+  pair.number("friction", unit::none)
+      .at_least(0)
+      .required()
+      .example("0.6")
+      .doc("Friction coefficient.");
+}
+
 }  // namespace
 
 void declare_contact_keys(Schema& schema) {
@@ -59,26 +74,14 @@ void declare_contact_keys(Schema& schema) {
       .by_default(0.2)
       .doc(
           "Least reach of the contact search over the harmonic mean of the elements at surfaces: a "
-          "larger one searches less often and looks at more pairs. For fast bodies it is widened "
-          "by "
+          "larger one searches less often and looks at more pairs. For fast bodies it widens "
           "itself, to 0.4 at most.");
   contact.choice("direction", {"smooth", "conservative"})
       .by_default("smooth")
       .doc(
           "Direction of the force: the smoothed gradient of the depth, or its exact gradient, "
           "which turns between elements but keeps energy to round-off.");
-  SectionBuilder pair = schema.section("contact.pair[]");
-  pair.doc("Friction between two materials, where it differs.");
-  pair.texts("between")
-      .required()
-      .names_one_of("material")
-      .example("[\"steel\", \"granite\"]")
-      .doc("The two materials, or one for a material against itself.");
-  pair.number("friction", unit::none)
-      .at_least(0)
-      .required()
-      .example("0.6")
-      .doc("Friction coefficient.");
+  declare_pair_keys(schema);
   schema.check(check_contact_rules);
 }
 
