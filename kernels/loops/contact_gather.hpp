@@ -42,8 +42,8 @@ struct ContactStiffnessIn {
 
 /// Twice the stiffness that contacts have or may soon have, on the corners of the elements: 2 k N_a
 /// and 2 k L_k, by Jensen's inequality a bound on k |sum N u - sum L u|^2. L is taken at the
-/// nearest point of the candidate; of candidates that share nodes only the nearest counts, since a point is
-/// in one element of a piece. It holds until the next search or split.
+/// nearest point of the candidate; of candidates that share nodes only the nearest counts, since a
+/// point is in one element of a piece. It holds until the next search or split.
 template <int D>
 void find_contact_stiffness(const ContactStiffnessIn<D>& in);
 

@@ -62,7 +62,7 @@ COPIES = [
          says=["body.bar.copies: no site of this raster is taken", "lessen the hollow"]),
     Case("copies that overlap", base=SPACE,
          edit=copies('count = [2, 1, 1], pitch = ["15 mm", 0, 0]'),
-         says=['body "bar"', "copies 0 and 1 overlap by 0.005 m", "widen the pitch"]),
+         says=['body "bar"', "copies 0 and 1 overlap by 0.002887 m", "widen the pitch"]),
     Case("copies of a rigid body", base=SPACE,
          edit=copies("count = [2, 1, 1], " + RASTER + " }\nrigid = true #"),
          says=["body.bar.rigid: the copies of a body would be one rigid body"]),
