@@ -47,13 +47,15 @@ struct Candidates {
     double l[D + 1];
     barycentric(inverted, x[0], q, l);
     Vec<D> first = Vec<D>::zero();
+    bool within = true;
     for (int f = D; f >= 0; --f) {
       Vec<D> gradient = first;
       for (int d = 0; f > 0 && d < D; ++d) gradient[d] = inverted(f - 1, d);
       if (f > 0) first -= gradient;
       if (l[f] < 0 && l[f] * l[f] > skin * skin * norm2(gradient)) return false;
+      within = within && l[f] >= 0;
     }
-    return square_distance_to_simplex<D>(x, q, l) <= skin * skin;
+    return within || square_distance_to_surface<D>(x, q, l) <= skin * skin;
   }
 
   KOKKOS_FUNCTION

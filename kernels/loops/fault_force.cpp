@@ -18,34 +18,27 @@ struct FaultForceLoop {
     const Index i = in.list(k);
     if (out.life(i) == interface_life::gone) return;
     const InterfaceRecord& record = in.record(i);
-    Vec<D> middle[D], jump[D];
-    for (int c = 0; c < D; ++c) {
-      const Vec<D> l = row<D>(in.x, in.nodes(i, 0, c)), r = row<D>(in.x, in.nodes(i, 1, c));
-      middle[c] = (l + r) * 0.5;
-      jump[c] = r - l;
-    }
-    const InterfaceFrame<D> frame = frame_of(middle);
+    const InterfaceGap<D> gap(in, i);
+    const InterfaceFrame<D> frame = frame_of(gap.middle);
     const Fault<D> law{friction, record.springs};
 
     for (int c = 0; c < D; ++c) {
       if (in.active(i, c) == 0) continue;
       const Vec<D> t =
-          law.advance(out.fault(i, c), frame.to_local(jump[c]), in.rate, out.energy(i, c));
+          law.advance(out.fault(i, c), frame.to_local(gap.jump[c]), in.rate, out.energy(i, c));
       const Vec<D> force = frame.to_global(t) * (record.area / D);
       for (int d = 0; d < D; ++d) out.force(i, c, d) = force[d];
     }
-    aged += leave(i, law, jump, record.area);
+    aged += leave(i, law, gap, record.area);
   }
 
  private:
   KOKKOS_FUNCTION
-  Index leave(Index i, const Fault<D>& law, const Vec<D> (&jump)[D], double area) const {
+  Index leave(Index i, const Fault<D>& law, const InterfaceGap<D>& gap, double area) const {
     constexpr double kShare = 0.5;
-    double nearest = norm2(jump[0]);
-    for (int c = 1; c < D; ++c) nearest = Kokkos::min(nearest, norm2(jump[c]));
-    const double length =
-        (D == 2 ? area / in.thickness : Kokkos::sqrt(2 * area)) * (in.leave_broken ? kShare : 1.0);
-    if (nearest <= length * length || out.life(i) >= interface_life::leaving) return 0;
+    if (!gap.wider_than(in.leave_broken ? kShare : 1.0, area, in.thickness) ||
+        out.life(i) >= interface_life::leaving)
+      return 0;
     for (int c = 0; c < D; ++c) {
       const FaultState<D>& s = out.fault(i, c);
       const Vec<D - 1> tau = law.shear(s);

@@ -18,13 +18,8 @@ struct InterfaceForceLoop {
     KOKKOS_IF_ON_HOST((fetch_ahead(k + kAhead);))
     if (out.life(i) == interface_life::gone) return;
     const InterfaceRecord& record = in.record(i);
-    Vec<D> middle[D], jump[D];
-    for (int c = 0; c < D; ++c) {
-      const Vec<D> l = row<D>(in.x, in.nodes(i, 0, c)), r = row<D>(in.x, in.nodes(i, 1, c));
-      middle[c] = (l + r) * 0.5;
-      jump[c] = r - l;
-    }
-    const InterfaceFrame<D> frame = frame_of(middle);
+    const InterfaceGap<D> gap(in, i);
+    const InterfaceFrame<D> frame = frame_of(gap.middle);
     const Cohesive<D, Softening> law{in.strength, record.springs};
 
     bool broken = true;
@@ -34,12 +29,12 @@ struct InterfaceForceLoop {
         continue;
       }
       CohesiveState<D>& state = out.state(i, c);
-      const Vec<D> t = law.advance(state, frame.to_local(jump[c]), in.rate, out.energy(i, c));
+      const Vec<D> t = law.advance(state, frame.to_local(gap.jump[c]), in.rate, out.energy(i, c));
       const Vec<D> force = frame.to_global(t) * (record.area / D);
       for (int d = 0; d < D; ++d) out.force(i, c, d) = force[d];
       broken = broken && state.damage >= 1;
     }
-    if (broken) aged += age(i, jump, record.area);
+    if (broken) aged += age(i, gap, record.area);
   }
 
  private:
@@ -66,11 +61,8 @@ struct InterfaceForceLoop {
   /// A broken pair is done when contact takes it over, or when its corners are a face apart. 1
   /// where its life changes.
   KOKKOS_FUNCTION
-  Index age(Index i, const Vec<D> (&jump)[D], double area) const {
-    double nearest = norm2(jump[0]);
-    for (int c = 1; c < D; ++c) nearest = Kokkos::min(nearest, norm2(jump[c]));
-    const double length = D == 2 ? area / in.thickness : Kokkos::sqrt(2 * area);
-    const bool apart = nearest > length * length;
+  Index age(Index i, const InterfaceGap<D>& gap, double area) const {
+    const bool apart = gap.wider_than(1, area, in.thickness);
     const std::uint8_t next =
         in.leave_broken || apart ? interface_life::leaving : interface_life::broken;
     if (out.life(i) >= next) return 0;

@@ -18,6 +18,30 @@ struct InterfaceForceIn {
   double thickness;   ///< m, 1 in 3D
 };
 
+/// Middle surface of an interface and the jump from its left to its right corners, m.
+template <int D>
+struct InterfaceGap {
+  Vec<D> middle[D], jump[D];
+
+  KOKKOS_FUNCTION
+  InterfaceGap(const InterfaceForceIn<D>& in, Index i) {
+    for (int c = 0; c < D; ++c) {
+      const Vec<D> l = row<D>(in.x, in.nodes(i, 0, c)), r = row<D>(in.x, in.nodes(i, 1, c));
+      middle[c] = (l + r) * 0.5;
+      jump[c] = r - l;
+    }
+  }
+
+  /// All corners are farther apart than this share of the face's size.
+  KOKKOS_FUNCTION
+  bool wider_than(double share, double area, double thickness) const {
+    double nearest = norm2(jump[0]);
+    for (int c = 1; c < D; ++c) nearest = Kokkos::min(nearest, norm2(jump[c]));
+    const double length = share * (D == 2 ? area / thickness : Kokkos::sqrt(2 * area));
+    return nearest > length * length;
+  }
+};
+
 template <int D>
 struct InterfaceForceOut {
   CornerStates<D> state;

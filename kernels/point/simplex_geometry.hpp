@@ -160,15 +160,11 @@ double square_distance_to_face(const Vec<D> (&x)[D], const Vec<D>& q) {
   return norm2(gap);
 }
 
-/// Square of the distance from q to a simplex; zero inside. `l` receives barycentric weights of the
+/// Square of the distance from q to the faces of a simplex. `l` receives barycentric weights of the
 /// nearest point.
 template <int D>
 KOKKOS_FUNCTION
-double square_distance_to_simplex(const Vec<D> (&x)[D + 1], const Vec<D>& q, double (&l)[D + 1]) {
-  barycentric(inverse(edge_matrix<D>(x)), x[0], q, l);
-  bool within = true;
-  for (int k = 0; k <= D; ++k) within = within && l[k] >= 0;
-  if (within) return 0;
+double square_distance_to_surface(const Vec<D> (&x)[D + 1], const Vec<D>& q, double (&l)[D + 1]) {
   double best = -1;
   for (int f = 0; f <= D; ++f) {
     Vec<D> face[D], gap = q;
@@ -183,6 +179,16 @@ double square_distance_to_simplex(const Vec<D> (&x)[D + 1], const Vec<D>& q, dou
     for (int i = 0; i < D; ++i) l[face_node<D>(f, i)] = w[i];
   }
   return best;
+}
+
+/// The same to the simplex: zero inside.
+template <int D>
+KOKKOS_FUNCTION
+double square_distance_to_simplex(const Vec<D> (&x)[D + 1], const Vec<D>& q, double (&l)[D + 1]) {
+  barycentric(inverse(edge_matrix<D>(x)), x[0], q, l);
+  bool within = true;
+  for (int k = 0; k <= D; ++k) within = within && l[k] >= 0;
+  return within ? 0 : square_distance_to_surface<D>(x, q, l);
 }
 
 }  // namespace breccia

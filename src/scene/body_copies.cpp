@@ -13,18 +13,22 @@ namespace {
 constexpr std::uint32_t kCopies = 0x636f7079;  ///< stream of the random numbers
 
 /// A rotation, all of them alike probable: Shoemake, Graphics Gems III (1992) 124, in space.
-Mat<2> random_turn(const Random& random, std::uint64_t site, Mat<2>*) {
-  const double a = 2 * std::numbers::pi * random.uniform(site, 0);
-  return {{{std::cos(a), -std::sin(a)}, {std::sin(a), std::cos(a)}}};
-}
-Mat<3> random_turn(const Random& random, std::uint64_t site, Mat<3>*) {
-  const double u = random.uniform(site, 0), a = 2 * std::numbers::pi * random.uniform(site, 1),
-               b = 2 * std::numbers::pi * random.uniform(site, 2);
-  const double x = std::sqrt(1 - u) * std::sin(a), y = std::sqrt(1 - u) * std::cos(a),
-               z = std::sqrt(u) * std::sin(b), w = std::sqrt(u) * std::cos(b);
-  return {{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
-           {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
-           {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}}};
+template <int D>
+Mat<D> random_turn(const Random& random, std::uint64_t site) {
+  const auto angle = [&](std::uint32_t draw) {
+    return 2 * std::numbers::pi * random.uniform(site, draw);
+  };
+  if constexpr (D == 2) {
+    const double a = angle(0);
+    return {{{std::cos(a), -std::sin(a)}, {std::sin(a), std::cos(a)}}};
+  } else {
+    const double u = random.uniform(site, 0), a = angle(1), b = angle(2);
+    const double x = std::sqrt(1 - u) * std::sin(a), y = std::sqrt(1 - u) * std::cos(a),
+                 z = std::sqrt(u) * std::sin(b), w = std::sqrt(u) * std::cos(b);
+    return {{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
+             {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
+             {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}}};
+  }
 }
 
 /// The sites of a raster, numbered with the last axis fastest.
@@ -84,7 +88,7 @@ std::vector<Placement<D>> placements(const Settings& copies, const Random& rando
     for (int d = 0; d < D; ++d)
       place.centre[d] += pitch[d] * static_cast<double>(i[d]) +
                          shift * (2 * random.uniform(id, 3 + static_cast<std::uint32_t>(d)) - 1);
-    if (turned) place.turn = random_turn(random, id, static_cast<Mat<D>*>(nullptr));
+    if (turned) place.turn = random_turn<D>(random, id);
     list.push_back(place);
   }
   if (list.empty())

@@ -1,23 +1,13 @@
 #include "scene/initial_stress.hpp"
 
 #include "step/selection.hpp"
+#include "step/stress_view.hpp"
 
 #include <fmt/format.h>
 
 namespace breccia {
 
 namespace {
-
-/// [xx, yy, zz, xy] or [xx, yy, zz, xy, yz, xz] of the scene.
-Sym<3> stress_of(const std::vector<double>& given) {
-  Sym<3> s = Sym<3>::zero();
-  for (int i = 0; i < 3; ++i) s(i, i) = given[static_cast<std::size_t>(i)];
-  s(0, 1) = given[3];
-  if (given.size() < 6) return s;
-  s(1, 2) = given[4];
-  s(0, 2) = given[5];
-  return s;
-}
 
 template <int D>
 std::vector<Index> elements_of(const Settings& section, const Model<D>& model) {

@@ -1,6 +1,7 @@
 // The keys of what acts on bodies: gravity, boundaries, stress in the ground.
 #include "core/text.hpp"
 #include "scene/schema_rules.hpp"
+#include "step/selection.hpp"
 
 #include <algorithm>
 
@@ -136,18 +137,6 @@ void declare_initial_stress(Schema& schema) {
       .example("120 m");
   s.at_most_one_of({"where", "box"});
   declare_box(schema, "initial_stress[]", "Elements whose centroids lie in a box.");
-}
-
-void check_box(const Settings& section, Problems& problems) {
-  if (!section.has("box")) return;
-  const Settings& box = section.at("box");
-  const auto &lower = box.vector("lower"), &upper = box.vector("upper");
-  for (std::size_t d = 0; d < lower.size(); ++d) {
-    if (lower[d] <= upper[d]) continue;
-    problems.add(box.error("upper", number_text(upper[d]) + " m is below lower, " +
-                                        number_text(lower[d]) + " m, along " + "xyz"[d]));
-    break;
-  }
 }
 
 void check_stress(const Settings& section, std::size_t dimension, Problems& problems) {

@@ -71,6 +71,18 @@ Region select_region(const Settings& section, const Mesh<D>& mesh, const Topolog
   return region;
 }
 
+void check_box(const Settings& section, Problems& problems) {
+  if (!section.has("box")) return;
+  const Settings& box = section.at("box");
+  const auto &lower = box.vector("lower"), &upper = box.vector("upper");
+  for (std::size_t d = 0; d < lower.size(); ++d) {
+    if (lower[d] <= upper[d]) continue;
+    problems.add(box.error("upper", number_text(upper[d]) + " m is below lower, " +
+                                        number_text(lower[d]) + " m, along " + "xyz"[d]));
+    break;
+  }
+}
+
 template Region select_region(const Settings&, const Mesh<2>&, const Topology<2>&);
 template Region select_region(const Settings&, const Mesh<3>&, const Topology<3>&);
 template const Region& named_region(const Settings&, const std::string&, const std::string&,

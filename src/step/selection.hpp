@@ -16,4 +16,7 @@ template <int D>
 const Region& named_region(const Settings& section, const std::string& key, const std::string& name,
                            const Mesh<D>& mesh);
 
+/// Adds a problem where the `box` of a section has its upper corner below the lower one.
+void check_box(const Settings& section, Problems& problems);
+
 }  // namespace breccia

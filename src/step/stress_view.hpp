@@ -16,4 +16,15 @@ ElementStress<D> stress_of(const Model<D>& model) {
           s.get_or_empty<ElementShare>()};
 }
 
+/// A stress as scenes give it: [xx, yy, zz, xy] or [xx, yy, zz, xy, yz, xz].
+inline Sym<3> stress_of(const std::vector<double>& given) {
+  Sym<3> s = Sym<3>::zero();
+  for (int i = 0; i < 3; ++i) s(i, i) = given[static_cast<std::size_t>(i)];
+  s(0, 1) = given[3];
+  if (given.size() < 6) return s;
+  s(1, 2) = given[4];
+  s(0, 2) = given[5];
+  return s;
+}
+
 }  // namespace breccia

@@ -1,12 +1,8 @@
 // Bodies in space: momenta and energy of collisions (V-037), slopes of any direction (V-042), cracks
 // that close, the same bits for any number of threads.
-#include "harness/simulation.hpp"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
+#include "contact_samples.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace {
@@ -30,34 +26,6 @@ std::string scene(const std::string& run, const std::string& bodies, const std::
 
 constexpr const char* kSoft = "density = 1000\nelastic = { young = 1e9, poisson = 0.2 }\n";
 
-struct Momentum {
-  double mass = 0, size = 0;
-  Vec<3> linear = Vec<3>::zero(), angular = Vec<3>::zero(), centre = Vec<3>::zero();
-  Vec<3> velocity() const { return linear * (1 / mass); }
-};
-
-Momentum momentum(SceneWorld<3>& world, const std::string& body = {}) {
-  const auto x = world.host<NodePosition<3>>();
-  const auto v = world.host<NodeVelocity<3>>();
-  const auto m = world.host<NodeMass>();
-  std::vector<Index> nodes;
-  if (body.empty())
-    for (Index n = 0; n < world.model().nodes(); ++n) nodes.push_back(n);
-  else
-    nodes = find_region(world.model().mesh, body)->points;
-  Momentum sum;
-  for (const Index n : nodes) {
-    const Vec<3> at = row<3>(x, n), p = row<3>(v, n) * m(n);
-    sum.mass += m(n);
-    sum.linear += p;
-    sum.size += norm(p);
-    sum.centre += at * m(n);
-    sum.angular += cross(at, p);
-  }
-  sum.centre *= 1 / sum.mass;
-  return sum;
-}
-
 struct Collision {
   double energy_error = 0, linear = 0, angular = 0, elastic = 0;
   int touched = 0;
@@ -73,12 +41,12 @@ Collision collide(double step, const std::string& direction) {
                     "velocity = [-10, -3, 0]\nspin = [\"0 rad/s\", \"40 rad/s\", \"30 rad/s\"]"),
             "friction = 0\ndamping = 0\ndirection = \"" + direction + "\"", kSoft));
   world.simulation.start();
-  const Momentum start = momentum(world);
+  const MomentumOf<3> start = momentum(world);
   double energy = 0;
   Collision c;
   while (world.time() < 3e-3 && !world.model().stop.raised) {
     const Ledger ledger = world.step_and_book();
-    const double now = ledger.kinetic + ledger.stored();
+    const double now = total_energy(ledger);
     if (energy == 0) energy = now;
     c.touched += ledger.value("CT_stored") > 0 ? 1 : 0;
     c.energy_error = std::max(c.energy_error, std::abs(now / energy - 1));
@@ -86,7 +54,7 @@ Collision collide(double step, const std::string& direction) {
     EXPECT_LT(ledger.residual_1(), 1e-12);
   }
   EXPECT_FALSE(world.model().stop.raised) << world.model().stop.cause;
-  const Momentum end = momentum(world);
+  const MomentumOf<3> end = momentum(world);
   c.linear = norm(end.linear - start.linear) / start.size;
   c.angular = norm(end.angular - start.angular) / (start.size * 0.3);
   return c;
@@ -177,7 +145,7 @@ TEST(ContactInSpace, BlockSticks) {
   slope.run(0.12);
   const Vec<3> x = slope.place();
   slope.run(0.17);
-  EXPECT_LT(norm(slope.place() - x) / 0.05, 1e-8);
+  EXPECT_LT(norm(slope.place() - x) / 0.05, 1e-9);
 }
 
 // A body wholly inside another and one that overlaps by half an element: what contact reports as
@@ -199,12 +167,13 @@ TEST(ContactInSpace, OverlapReleasesItsPotential) {
     Ledger last;
     while (world.time() < 15e-3 && !world.model().stop.raised) {
       last = world.step_and_book();
-      error = std::max(error, std::abs((last.kinetic + last.stored()) / stored - 1));
+      error = std::max(error, std::abs(total_energy(last) / stored - 1));
     }
     EXPECT_FALSE(world.model().stop.raised) << world.model().stop.cause;
     std::printf("overlap %.1f: stored %.4g J, energy off by %.3g\n", share, stored, error);
     EXPECT_EQ(last.value("CT_stored"), 0) << share;
-    EXPECT_LT(error, 0.1) << share;
+    // The smooth direction gives and takes where corners are inside.
+    EXPECT_LT(error, share < 1 ? 0.02 : 0.1) << share;
   }
 }
 
@@ -238,7 +207,6 @@ TEST(ContactInSpace, CrackThatClosesPresses) {
   double pressed = 0;
   for (int i = 0; i < 3000; ++i) {
     world.step();
-    const auto at = world.host<NodeVelocity<3>>();
     pressed = std::max(pressed, static_cast<double>(world.simulation.counts().contact_points));
     if (i % 100 == 0 && world.model().stop.raised) FAIL() << world.model().stop.cause;
   }

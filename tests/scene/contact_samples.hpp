@@ -33,26 +33,29 @@ inline std::string contact_scene(const std::vector<Slab>& slabs, const std::stri
   return text + "[material.m]\n" + material + "\n[contact]\n" + contact + "\n" + more;
 }
 
-/// Sums over the nodes of one body (or of all, body < 0) at t^(n-1/2).
-struct Momentum {
-  double mass = 0, angular = 0, size = 0;  ///< size: sum of |m v|
-  Vec<2> linear = Vec<2>::zero(), centre = Vec<2>::zero();
-  Vec<2> velocity() const { return linear * (1 / mass); }
+/// Sums over the nodes of one body (or of all, if it has no name) at t^(n-1/2).
+template <int D>
+struct MomentumOf {
+  decltype(cross(Vec<D>(), Vec<D>())) angular{};
+  double mass = 0, size = 0;  ///< size: sum of |m v|
+  Vec<D> linear = Vec<D>::zero(), centre = Vec<D>::zero();
+  Vec<D> velocity() const { return linear * (1 / mass); }
 };
+using Momentum = MomentumOf<2>;
 
-inline Momentum momentum(SceneWorld<2>& world, const std::string& body = {}) {
-  const auto x = world.host<NodePosition<2>>();
-  const auto v = world.host<NodeVelocity<2>>();
-  const auto m = world.host<NodeMass>();
-  const auto& mesh = world.model().mesh;
+template <int D>
+MomentumOf<D> momentum(SceneWorld<D>& world, const std::string& body = {}) {
+  const auto x = world.template host<NodePosition<D>>();
+  const auto v = world.template host<NodeVelocity<D>>();
+  const auto m = world.template host<NodeMass>();
   std::vector<Index> nodes;
   if (body.empty())
     for (Index n = 0; n < world.model().nodes(); ++n) nodes.push_back(n);
   else
-    nodes = find_region(mesh, body)->points;
-  Momentum sum;
+    nodes = find_region(world.model().mesh, body)->points;
+  MomentumOf<D> sum;
   for (const Index n : nodes) {
-    const Vec<2> at{{x(n, 0), x(n, 1)}}, p = Vec<2>{{v(n, 0), v(n, 1)}} * m(n);
+    const Vec<D> at = row<D>(x, n), p = row<D>(v, n) * m(n);
     sum.mass += m(n);
     sum.linear += p;
     sum.size += norm(p);

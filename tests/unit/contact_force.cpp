@@ -25,9 +25,9 @@ Mesh<2> random_block(Point<2> lower, Point<2> upper, Index nx, Index ny, std::ui
 
 /// V-033: a block of width 1 pressed `overlap` into a wide one; h = 0.1.
 ContactWorld<2> flat_on_flat(std::uint64_t seed, double offset, double overlap, bool below) {
-  ContactWorld<2> world(join({random_block({offset, 0}, {1 + offset, 0.6}, 10, 6, seed),
-                              below ? random_block({-1, -0.6}, {2.2, 0}, 29, 5, seed + 1)
-                                    : random_block({-1, 0.6}, {2.2, 1.2}, 29, 5, seed + 1)}));
+  ContactWorld<2> world(join<2>({random_block({offset, 0}, {1 + offset, 0.6}, 10, 6, seed),
+                                 below ? random_block({-1, -0.6}, {2.2, 0}, 29, 5, seed + 1)
+                                       : random_block({-1, 0.6}, {2.2, 1.2}, 29, 5, seed + 1)}));
   move_body(world, 0, {{0, below ? -overlap : overlap}});
   world.update_surface();
   world.search();
@@ -139,7 +139,7 @@ Mesh<2> needle(const Vec<2>& at, const Vec<2>& out) {
 TEST(ContactForce, DraggedAlongAFlatSurface) {
   const double h = 0.1, depth = 0.05 * h;
   ContactWorld<2> world(
-      join({random_block({0, 0}, {6, 0.5}, 60, 5, 4), needle({{0.5, 0.6}}, {{0, 0.05}})}));
+      join<2>({random_block({0, 0}, {6, 0.5}, 60, 5, 4), needle({{0.5, 0.6}}, {{0, 0.05}})}));
   world.skin = 0.01;
   world.update_surface();
   const Drag d = drag(
@@ -169,7 +169,7 @@ struct PolygonPath {
 
 /// Needle from outside and a disc; the needle must not turn, so one octant at a time.
 ContactWorld<2> disc_and_needle(int sides) {
-  ContactWorld<2> world(join(
+  ContactWorld<2> world(join<2>(
       {ring_disc({{0, 0}}, 1, sides, sides / 6, 0, "disc"), needle({{1.5, 0}}, {{0.3, 0.12}})}));
   world.skin = 0.02;
   world.update_surface();

@@ -1,14 +1,10 @@
 // Contact of tetrahedra: depth, force on flats and on spheres, candidates (V-033, V-034, V-054).
-#include "core/random.hpp"
-#include "harness/contact_world.hpp"
-#include "mesh/structured.hpp"
+#include "contact_samples.hpp"
 #include "point/simplex_geometry.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace {
 
@@ -36,27 +32,7 @@ Mesh<3> box(Point<3> lower, Point<3> upper, std::array<Index, 3> cells, std::uin
       if (mesh.point[n][d] != lower[d] && mesh.point[n][d] != upper[d])
         mesh.point[n][d] += 0.2 * (upper[d] - lower[d]) / cells[d] * (2 * random.uniform(n, d) - 1);
   }
-  mesh.regions.clear();
   return mesh;
-}
-
-Mesh<3> join(std::vector<Mesh<3>> bodies) {
-  Mesh<3> all;
-  for (Mesh<3>& body : bodies) {
-    body.body_names = {"body" + std::to_string(all.body_names.size())};
-    append(all, body);
-  }
-  return all;
-}
-
-void move_body(ContactWorld<3>& world, Index body, const Vec<3>& by) {
-  std::vector<char> moved(world.x.size(), 0);
-  for (std::size_t e = 0; e < world.mesh.element.size(); ++e)
-    if (world.mesh.body[e] == body)
-      for (const Index n : world.mesh.element[e]) {
-        if (!moved[n]) world.x[n] += by;
-        moved[n] = 1;
-      }
 }
 
 /// Depths of all nodes as the targets have them; -1 where there is no target.
@@ -204,9 +180,9 @@ TEST(ContactInSpace, FlatOnFlatIsMeshIndependent) {
     for (const bool below : {true, false}) {
       const double off = 0.013 * static_cast<double>(seed);
       ContactWorld<3> world(
-          join({box({off, -off, 0}, {1 + off, 1 - off, 1.2}, {5, 5, 6}, seed, "block"),
-                box({-1, -1, below ? -1.2 : 1.2}, {2.2, 2.2, below ? 0.0 : 2.4}, {15, 15, 6},
-                    seed + 1, "floor")}));
+          join<3>({box({off, -off, 0}, {1 + off, 1 - off, 1.2}, {5, 5, 6}, seed, "block"),
+                   box({-1, -1, below ? -1.2 : 1.2}, {2.2, 2.2, below ? 0.0 : 2.4}, {15, 15, 6},
+                       seed + 1, "floor")}));
       move_body(world, 0, {{0, 0, below ? -overlap : overlap}});
       world.update_surface();
       world.search();
@@ -344,8 +320,8 @@ Drag drag(ContactWorld<3>& world, const Path& path, int samples) {
 // V-034 on a flat side: the force does not know the mesh.
 TEST(ContactInSpace, DraggedAlongAFlatSurface) {
   const double h = 0.1;
-  ContactWorld<3> world(join({box({0, 0, 0}, {1.6, 1, 0.6}, {16, 10, 6}, 4, "floor"),
-                              needle({{0.5, 0.4, 0.7}}, {{0, 0, 0.05}})}));
+  ContactWorld<3> world(join<3>({box({0, 0, 0}, {1.6, 1, 0.6}, {16, 10, 6}, 4, "floor"),
+                                 needle({{0.5, 0.4, 0.7}}, {{0, 0, 0.05}})}));
   world.skin = 0.01;
   world.update_surface();
   const Drag d = drag(
@@ -382,7 +358,7 @@ TEST(ContactInSpace, DraggedAlongABall) {
   for (const int fine : {1, 2}) {
     const double h = 1.05 / (1 << fine);
     ContactWorld<3> world(
-        join({ball(3 + fine, fine), needle({{1.5, 0.1, 0}}, {{0.3, 0.1, 0.12}})}));
+        join<3>({ball(3 + fine, fine), needle({{1.5, 0.1, 0}}, {{0.3, 0.1, 0.12}})}));
     world.skin = 0.02;
     world.update_surface();
     const Drag d = drag(

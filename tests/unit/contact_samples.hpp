@@ -53,9 +53,10 @@ inline Mesh<2> ring_disc(Vec<2> centre, double radius, int sides, int rings, dou
 }
 
 /// Joins bodies without their regions.
-inline Mesh<2> join(std::vector<Mesh<2>> bodies) {
-  Mesh<2> all;
-  for (Mesh<2>& body : bodies) {
+template <int D>
+Mesh<D> join(std::vector<Mesh<D>> bodies) {
+  Mesh<D> all;
+  for (Mesh<D>& body : bodies) {
     body.regions.clear();
     body.body_names = {"body" + std::to_string(all.body_names.size())};
     append(all, body);
@@ -63,7 +64,8 @@ inline Mesh<2> join(std::vector<Mesh<2>> bodies) {
   return all;
 }
 
-inline void move_body(ContactWorld<2>& world, Index body, const Vec<2>& by) {
+template <int D>
+void move_body(ContactWorld<D>& world, Index body, const Vec<D>& by) {
   std::vector<char> moved(world.x.size(), 0);
   for (std::size_t e = 0; e < world.mesh.element.size(); ++e)
     if (world.mesh.body[e] == body)

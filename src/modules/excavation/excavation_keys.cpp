@@ -1,5 +1,6 @@
 #include "core/text.hpp"
 #include "modules/excavation/excavation.hpp"
+#include "step/selection.hpp"
 
 namespace breccia {
 
@@ -12,15 +13,7 @@ void check_excavations(const Settings& scene, Problems& problems) {
       problems.add(section.error("at", number_text(section.number("at")) +
                                            " s is beyond the run (duration " +
                                            number_text(duration) + " s)"));
-    if (!section.has("box")) continue;
-    const Settings& box = section.at("box");
-    const auto &lower = box.vector("lower"), &upper = box.vector("upper");
-    for (std::size_t d = 0; d < lower.size(); ++d) {
-      if (lower[d] <= upper[d]) continue;
-      problems.add(box.error("upper", number_text(upper[d]) + " m is below lower, " +
-                                          number_text(lower[d]) + " m, along " + "xyz"[d]));
-      break;
-    }
+    check_box(section, problems);
   }
 }
 

@@ -2,23 +2,13 @@
 
 #include "mesh/geometry.hpp"
 #include "modules/fracture/face_grades.hpp"
+#include "step/stress_view.hpp"
 
 #include <algorithm>
 
 namespace breccia {
 
 namespace {
-
-/// [xx, yy, zz, xy] or [xx, yy, zz, xy, yz, xz] of the scene.
-Sym<3> stress_of(const std::vector<double>& given) {
-  Sym<3> s = Sym<3>::zero();
-  for (int i = 0; i < 3; ++i) s(i, i) = given[static_cast<std::size_t>(i)];
-  s(0, 1) = given[3];
-  if (given.size() < 6) return s;
-  s(1, 2) = given[4];
-  s(0, 2) = given[5];
-  return s;
-}
 
 FrictionKind kind_of(const std::string& word) {
   if (word == "static_dynamic") return FrictionKind::static_dynamic;

@@ -34,7 +34,7 @@ template <int D>
 void Fracture<D>::declare(Model<D>& model) {
   laws_ = read_interface_laws(*model.scene, model.materials);
   check_interface_laws(laws_, model);
-  // Contact in space does not exist yet; broken pairs then go on pressing by themselves.
+  // Without contact, broken pairs go on pressing by themselves.
   contact_follows_ = model.scene->has("contact");
   Store& s = model.store;
   const auto faces = static_cast<Index>(model.topology.shared.size());
