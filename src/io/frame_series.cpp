@@ -15,14 +15,20 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMesh = "frames/";
-constexpr const char* kCracks = "frames/cracks_";
 constexpr const char* kMeshList = "frames.vtkhdf.series";
-constexpr const char* kCrackList = "cracks.vtkhdf.series";
+
+// By SideKind.
+struct SideNames {
+  const char* prefix;
+  const char* list;
+};
+constexpr SideNames kSides[] = {{"frames/cracks_", "cracks.vtkhdf.series"},
+                                {"frames/contacts_", "contacts.vtkhdf.series"}};
 
 // Number of the frame that a file of the folder belongs to, or -1 when it is none of ours.
 long frame_number(const std::string& file) {
   std::string_view digits = file;
-  for (const std::string_view prefix : {"cracks_"}) {
+  for (const std::string_view prefix : {"cracks_", "contacts_"}) {
     if (digits.starts_with(prefix)) digits.remove_prefix(prefix.size());
   }
   const auto end = digits.find(".vtkhdf");
@@ -43,13 +49,14 @@ FrameSeries::FrameSeries(std::string folder, std::vector<double> times)
   fs::create_directories(frames, trouble);
   if (trouble) throw file_error(frames, "create the folder", trouble.value());
   remove_later_frames();
-  for (std::size_t k = 0; k < times_.size(); ++k) {
-    if (fs::exists(name(kCracks, k))) cracks_.push_back(k);
-  }
+  for (std::size_t side = 0; side < sides_.size(); ++side)
+    for (std::size_t k = 0; k < times_.size(); ++k)
+      if (fs::exists(name(kSides[side].prefix, k))) sides_[side].push_back(k);
   std::vector<std::size_t> all(times_.size());
   std::iota(all.begin(), all.end(), 0u);
   write_list(kMesh, kMeshList, all);
-  if (!cracks_.empty()) write_list(kCracks, kCrackList, cracks_);
+  for (std::size_t side = 0; side < sides_.size(); ++side)
+    if (!sides_[side].empty()) write_list(kSides[side].prefix, kSides[side].list, sides_[side]);
 }
 
 std::string FrameSeries::name(const char* prefix, std::size_t number) const {
@@ -69,7 +76,8 @@ void FrameSeries::remove_later_frames() const {
     if (!fs::remove(path, trouble) && trouble)
       throw file_error(path.string(), "remove", trouble.value());
   }
-  fs::remove(fs::path(folder_) / kCrackList, trouble);  // written again when there are cracks
+  // Written again when there is something to list.
+  for (const SideNames& side : kSides) fs::remove(fs::path(folder_) / side.list, trouble);
 }
 
 void FrameSeries::write_list(const char* prefix, const char* list,
@@ -86,27 +94,27 @@ void FrameSeries::write_list(const char* prefix, const char* list,
   write_whole((fs::path(folder_) / list).string(), text);
 }
 
-void FrameSeries::write(const Frame& frame) {
-  write_frame(name(kMesh, times_.size()), frame);
+void FrameSeries::write(const Frame& frame, const std::vector<SideFrame>& sides) {
+  const std::size_t number = times_.size();
+  const auto index = [](const SideFrame& side) { return static_cast<std::size_t>(side.kind); };
+  try {
+    for (const SideFrame& side : sides)
+      write_frame(name(kSides[index(side)].prefix, number), side.frame);
+    write_frame(name(kMesh, number), frame);
+  } catch (const Error&) {  // cracks without their mesh would be half a frame
+    std::error_code ignored;
+    for (const SideFrame& side : sides)
+      fs::remove(name(kSides[index(side)].prefix, number), ignored);
+    throw;
+  }
   times_.push_back(frame.time);
   std::vector<std::size_t> all(times_.size());
   std::iota(all.begin(), all.end(), 0u);
   write_list(kMesh, kMeshList, all);
-}
-
-void FrameSeries::write(const Frame& frame, const CrackFrame& cracks) {
-  const std::size_t number = times_.size();
-  const std::string crack_file = name(kCracks, number);
-  write_frame(crack_file, as_frame(cracks, frame.time, frame.step));
-  try {
-    write(frame);
-  } catch (const Error&) {  // cracks without their mesh would be half a frame
-    std::error_code ignored;
-    fs::remove(crack_file, ignored);
-    throw;
+  for (const SideFrame& side : sides) {
+    sides_[index(side)].push_back(number);
+    write_list(kSides[index(side)].prefix, kSides[index(side)].list, sides_[index(side)]);
   }
-  cracks_.push_back(number);
-  write_list(kCracks, kCrackList, cracks_);
 }
 
 }  // namespace breccia

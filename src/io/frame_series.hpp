@@ -2,16 +2,25 @@
 
 #include "io/vtkhdf.hpp"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace breccia {
 
+/// Data sets beside the mesh, each with files and a series of its own.
+enum class SideKind : std::uint8_t { cracks, contacts };
+struct SideFrame {
+  SideKind kind;
+  Frame frame;
+};
+
 /// The frames of a run: `frames/NNNNNN.vtkhdf` with `frames.vtkhdf.series` (the list ParaView
-/// opens), and, where the run has interfaces, `frames/cracks_NNNNNN.vtkhdf` with
-/// `cracks.vtkhdf.series`. A frame enters the list only when it is whole on the disk. All functions
-/// throw Error (disk full, no permission, no HDF5 in this build).
+/// opens), and, where the run has interfaces or contact, `frames/cracks_NNNNNN.vtkhdf` with
+/// `cracks.vtkhdf.series` and `frames/contacts_NNNNNN.vtkhdf` with `contacts.vtkhdf.series`. A
+/// frame enters the lists only when all of it is whole on the disk. All functions throw Error (disk
+/// full, no permission, no HDF5 in this build).
 class FrameSeries {
  public:
   /// Starts a new series in the run folder `folder`.
@@ -21,8 +30,7 @@ class FrameSeries {
   /// and written again.
   FrameSeries(std::string folder, std::vector<double> times);
 
-  void write(const Frame& frame);
-  void write(const Frame& frame, const CrackFrame& cracks);
+  void write(const Frame& frame, const std::vector<SideFrame>& sides = {});
 
   /// What a checkpoint keeps of the series.
   [[nodiscard]] const std::vector<double>& times() const { return times_; }
@@ -35,7 +43,7 @@ class FrameSeries {
 
   std::string folder_;
   std::vector<double> times_;
-  std::vector<std::size_t> cracks_;  ///< frames that have a crack file
+  std::array<std::vector<std::size_t>, 2> sides_;  ///< per kind: frames that have such a file
 };
 
 }  // namespace breccia

@@ -10,10 +10,18 @@ namespace {
 namespace fs = std::filesystem;
 
 // Everything a run or tools/plot writes into its folder.
-constexpr const char* kOurs[] = {"scene.toml",           "frames",        "frames.vtkhdf.series",
-                                 "cracks.vtkhdf.series", "history.csv",   "events.csv",
-                                 "emissions.csv",        "fragments.csv", "checkpoint.h5",
-                                 "report.json",          "pictures"};
+constexpr const char* kOurs[] = {"scene.toml",
+                                 "frames",
+                                 "frames.vtkhdf.series",
+                                 "cracks.vtkhdf.series",
+                                 "contacts.vtkhdf.series",
+                                 "history.csv",
+                                 "events.csv",
+                                 "emissions.csv",
+                                 "fragments.csv",
+                                 "checkpoint.h5",
+                                 "report.json",
+                                 "pictures"};
 
 bool holds_something(const std::string& path) {
   std::error_code trouble;

@@ -27,6 +27,7 @@ FrameBuilder<D>::FrameBuilder(const Model<D>& model, const Clock& clock, const P
   for (Index e = 0; e < model.elements(); ++e)
     for (int a = 0; a <= D; ++a) connectivity_.push_back(nodes(e, a));
   if (with_cracks_) add_cracks(picture.cracks);
+  if (model.scene->has("contact")) chains_.emplace(D, picture.touches, fragments);
 }
 
 template <int D>
@@ -65,10 +66,14 @@ void FrameBuilder<D>::write(FrameSeries& series) const {
   for (const PictureField& field : picture_.element_fields)
     frame.cell_arrays.push_back(
         {field.name, field.unit, field.components, std::span<const double>(field.values)});
-  if (!with_cracks_) {
-    series.write(frame);
-    return;
-  }
+  std::vector<SideFrame> sides;
+  if (with_cracks_) sides.push_back({SideKind::cracks, as_frame(cracks(), time_, step_)});
+  if (chains_) sides.push_back({SideKind::contacts, chains_->frame(time_, step_)});
+  series.write(frame, sides);
+}
+
+template <int D>
+CrackFrame FrameBuilder<D>::cracks() const {
   CrackFrame cracks;
   cracks.dimension = D;
   cracks.points = crack_points_;
@@ -80,7 +85,7 @@ void FrameBuilder<D>::write(FrameSeries& series) const {
   cracks.status = status_;
   cracks.time = break_time_;
   cracks.energy = energy_;
-  series.write(frame, cracks);
+  return cracks;
 }
 
 template class FrameBuilder<2>;

@@ -1,10 +1,12 @@
 #pragma once
 #include "io/frame_series.hpp"
+#include "scene/force_chains.hpp"
 #include "scene/fragments.hpp"
 #include "step/clock.hpp"
 #include "step/model.hpp"
 #include "step/observation.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace breccia {
@@ -20,6 +22,7 @@ class FrameBuilder {
 
  private:
   void add_cracks(const std::vector<CrackFace>& cracks);
+  CrackFrame cracks() const;
 
   double time_;
   std::int64_t step_;
@@ -29,6 +32,7 @@ class FrameBuilder {
   std::vector<std::int32_t> connectivity_, body_, fragment_;
   std::vector<double> crack_points_, damage_, mode_, opening_, slip_, break_time_, energy_;
   std::vector<std::int32_t> crack_connectivity_, status_;
+  std::optional<ForceChains> chains_;
 };
 
 }  // namespace breccia

@@ -47,11 +47,19 @@ struct CrackFace {
   double time;    ///< s, when it broke; -1 while it holds
 };
 
+/// A point of one element's face that presses on another element, for pictures.
+struct Touch {
+  double place[3];  ///< m
+  double force[3];  ///< N, on the element of the face
+  Index element, target;
+};
+
 /// What modules draw on for one frame.
 struct Picture {
   std::vector<PictureField> node_fields;
   std::vector<PictureField> element_fields;
   std::vector<CrackFace> cracks;
+  std::vector<Touch> touches;
 };
 
 /// One broken face, for events.csv.

@@ -294,7 +294,8 @@ void write_sample_run(const std::string& path, const std::string& kind, int fram
   for (int k = 0; k < frames; ++k) {
     const double p = frames > 1 ? static_cast<double>(k) / (frames - 1) : 1;
     const SampleState s = kind == "disc" ? sample_disc(24, p) : sample_beam(6, p);
-    series.write(s.frame(1e-3 * p, 1000 * k), s.cracks());
+    series.write(s.frame(1e-3 * p, 1000 * k),
+                 {{SideKind::cracks, as_frame(s.cracks(), 1e-3 * p, 1000 * k)}});
   }
   constexpr int rows = 300;
   HistoryWriter history(folder.history(), history_columns());

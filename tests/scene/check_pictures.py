@@ -5,6 +5,7 @@ import subprocess
 import sys
 import unittest
 
+import h5py
 import matplotlib.image
 import numpy as np
 
@@ -124,6 +125,30 @@ class Pictures(unittest.TestCase):
         made = self.draws(out)
         self.assertIn(out / "pictures" / "catalogue.png", made)
         self.is_a_picture(out / "pictures" / "catalogue.png")
+
+    def test_force_chains_are_as_wide_as_their_forces(self):
+        out = FOLDER / "chains"
+        shutil.copytree(FOLDER / "disc", out, dirs_exist_ok=True)
+        self.refuses("no [contact]", out, "--forces")
+        points = [[-0.02, 0, 0], [0, 0, 0], [0.02, 0, 0], [0, 0.02, 0]]
+        arrays = {"force": [[5.0, 0, 0], [-5, 0, 0], [0, -1, 0]], "size": [1.0, 1, 9], "partner_size": [1.0, 1, 1]}
+        with h5py.File(out / "frames" / "contacts_000002.vtkhdf", "w") as file:
+            root = file.create_group("VTKHDF")
+            root.attrs["dimension"] = [2]
+            root["Types"], root["Connectivity"] = np.array([3, 3, 3], np.uint8), np.array([0, 1, 1, 2, 1, 3])
+            root["Points"], root["FieldData/time"] = np.array(points), np.array([0.0])
+            root.create_group("PointData")
+            for name, values in arrays.items():
+                root["CellData/" + name] = np.array(values)
+        made = self.draws(out, "--forces")
+        self.assertIn(out / "pictures" / "forces_000002.png", made)
+        self.is_a_picture(out / "pictures" / "forces_000002.png")
+        sys.path.insert(0, str(pathlib.Path(PLOT).parent))
+        from breccia_plot import force_chains, run_folder
+
+        ends, force = force_chains.legs(run_folder.RunFolder(out).contacts(2))
+        np.testing.assert_allclose(force, [5, 5])  # the leg into the floor is left out
+        self.assertEqual(ends.shape, (2, 2, 3))
 
     def test_what_cannot_be_drawn_is_refused(self):
         self.refuses("no such folder", FOLDER / "nowhere")

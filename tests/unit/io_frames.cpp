@@ -32,6 +32,7 @@ struct Square {
     return frame;
   }
   CrackFrame cracks() const { return {2, points, crack, one, one, one, one, status, one, one}; }
+  std::vector<SideFrame> sides() const { return {{SideKind::cracks, as_frame(cracks(), 0, 0)}}; }
 
   std::vector<double> points;
   std::vector<std::int32_t> connectivity = {0, 1, 2, 0, 2, 3};
@@ -85,7 +86,7 @@ TEST(IoFrames, SeriesListsWhatIsThere) {
   FrameSeries series(folder.path());
   EXPECT_THAT(file_text(folder / "frames.vtkhdf.series"), HasSubstr("\"files\": [\n  ]"));
   series.write(square.frame(0));
-  series.write(square.frame(0.25), square.cracks());
+  series.write(square.frame(0.25), square.sides());
   EXPECT_EQ(file_text(folder / "frames.vtkhdf.series"),
             "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [\n"
             "    {\"name\": \"frames/000000.vtkhdf\", \"time\": 0},\n"
@@ -117,7 +118,7 @@ TEST(IoFrames, RestartedSeriesEqualsTheUninterruptedOne) {
       if (k < 2) {
         series.write(square.frame(k));
       } else {
-        series.write(square.frame(k), square.cracks());
+        series.write(square.frame(k), square.sides());
       }
     }
   };
@@ -146,11 +147,11 @@ TEST(IoFrames, FullDiskLeavesTheListAsItWas) {
   // The disk fills up in the cracks, and in the mesh (by way of a file that finds no space).
   {
     const FileSizeLimit full(3000);
-    EXPECT_THAT(error_text([&] { series.write(square.frame(1), square.cracks()); }),
+    EXPECT_THAT(error_text([&] { series.write(square.frame(1), square.sides()); }),
                 HasSubstr("cracks_000001.vtkhdf"));
   }
   std::filesystem::create_symlink("/dev/full", folder / "frames/000001.vtkhdf.part");
-  EXPECT_THAT(error_text([&] { series.write(square.frame(1), square.cracks()); }),
+  EXPECT_THAT(error_text([&] { series.write(square.frame(1), square.sides()); }),
               HasSubstr("frames/000001.vtkhdf"));
   EXPECT_EQ(contents(folder), before);
   EXPECT_EQ(series.times().size(), 1u);

@@ -2,9 +2,11 @@
 #include "harness/scenes.hpp"
 #include "point/seismic_moment.hpp"
 #include "scene/emissions.hpp"
+#include "scene/force_chains.hpp"
 #include "scene/fragments.hpp"
 #include "scene/main_crack.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace {
@@ -20,6 +22,38 @@ CrackEvent break_at(double time, double x, double energy, double moment) {
   event.energy_shear = 0.25 * energy;
   event.moment = moment;
   return event;
+}
+
+// Two grains on a floor: touches of both passes add up to one contact for each two fragments, with
+// the force on each leg's own fragment; the two sides of a crack in one fragment have none.
+TEST(ForceChains, JoinTheFragmentsThatTouch) {
+  Fragments fragments;
+  fragments.of_element = {0, 0, 1, 2};
+  fragments.pieces.resize(3);
+  fragments.pieces[0].length = 10;
+  for (int i = 1; i < 3; ++i) {
+    fragments.pieces[static_cast<std::size_t>(i)].place[0] = 2.0 * i;
+    fragments.pieces[static_cast<std::size_t>(i)].place[1] = 1;
+    fragments.pieces[static_cast<std::size_t>(i)].length = 1;
+  }
+  const std::vector<Touch> touches = {
+      {{2, 0, 0}, {0, -3, 0}, 0, 2},   // floor against the first grain
+      {{2.5, 0, 0}, {0, 1, 0}, 2, 1},  // the grain against the floor
+      {{3, 1, 0}, {-2, 0, 0}, 2, 3},   // grain against grain
+      {{0, 0, 0}, {0, 9, 0}, 0, 1},    // within the floor
+  };
+  const ForceChains chains(2, touches, fragments);
+  const Frame frame = chains.frame(0, 0);
+  ASSERT_EQ(frame.connectivity.size(), 8u);
+  const auto force = std::get<std::span<const double>>(frame.cell_arrays[0].values);
+  const auto fragment = std::get<std::span<const std::int32_t>>(frame.cell_arrays[1].values);
+  const auto partner_size = std::get<std::span<const double>>(frame.cell_arrays[4].values);
+  EXPECT_THAT(force, testing::ElementsAre(0, -4, 0, 4, -2, 0, 2, 0));
+  EXPECT_THAT(fragment, testing::ElementsAre(0, 1, 1, 2));
+  EXPECT_THAT(partner_size, testing::ElementsAre(1, 10, 1, 1));
+  // Where they press: the mean by force.
+  EXPECT_DOUBLE_EQ(frame.points[2], 2.125);
+  EXPECT_DOUBLE_EQ(frame.points[4], 2);
 }
 
 TEST(Emissions, GatherWhatIsNearInSpaceAndTime) {

@@ -25,6 +25,10 @@ def arguments(words):
         "--without", type=int, nargs="+", default=[], metavar="N",
         help="bodies to leave out, by their number in the array `body`",
     )
+    parser.add_argument(
+        "--forces", action="store_true",
+        help="also draw the contacts as lines between fragments, as wide as their forces (forces_NNNNNN.png)",
+    )
     parser.add_argument("-o", "--output", metavar="DIR", help="folder of the pictures (default: RUN_FOLDER/pictures)")
     return parser.parse_args(words)
 
@@ -40,6 +44,8 @@ def draw(options):
     limits = sheets.common_limits(run, numbers, options.field) if len(numbers) > 1 else None
     for number in numbers:
         sheets.draw_frame(run, number, options.field, output / f"frame_{number:06d}.png", limits)
+        if options.forces:
+            sheets.draw_forces(run, number, output / f"forces_{number:06d}.png")
     sheets.draw_summary(run, numbers[-1], options.field, output / "summary.png")
 
 

@@ -166,3 +166,8 @@ class RunFolder:
             return None
         grid = read_grid(path)
         return grid if len(grid.cells) else None
+
+    def contacts(self, number):
+        """Legs of force chains of a frame, or None where the scene has no contact."""
+        path = self.path / "frames" / f"contacts_{number:06d}.vtkhdf"
+        return read_grid(path) if path.exists() else None

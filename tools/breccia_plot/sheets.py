@@ -3,7 +3,8 @@ import functools
 
 import matplotlib.pyplot as plt
 
-from . import catalogue, curves, fields, mesh_picture, style
+from . import catalogue, curves, fields, force_chains, mesh_picture, style
+from .trouble import Trouble
 
 
 def time_text(seconds):
@@ -38,6 +39,18 @@ def draw_frame(run, number, name, path, limits=None):
     if released:
         parts.append(f"{style.count(released)} broken faces")
     headline(figure, run.title, ",  ".join(parts))
+    style.save(figure, path)
+
+
+def draw_forces(run, number, path):
+    grid, chains = run.frame(number), run.contacts(number)
+    if chains is None:
+        raise Trouble(f"{run.path}: the scene has no [contact], so there are no forces to draw")
+    figure = plt.figure(figsize=frame_size(grid))
+    height = figure.get_size_inches()[1]
+    force_chains.draw(figure.add_axes([0.02, 0.5 / height, 0.96, 1 - 1.2 / height]), grid, chains)
+    touching = f"{style.count(len(chains.cells) // 2)} pairs of fragments that touch"
+    headline(figure, run.title, f"{time_text(grid.time)},  {touching}")
     style.save(figure, path)
 
 

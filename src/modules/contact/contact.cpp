@@ -2,6 +2,7 @@
 
 #include "loops/contact_gather.hpp"
 #include "modules/contact/contact_fields.hpp"
+#include "modules/contact/contact_pictures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -164,18 +165,8 @@ void Contact<D>::book(Model<D>& model, Ledger& ledger) const {
 
 template <int D>
 void Contact<D>::draw(Model<D>& model, Picture& picture) const {
-  const Store& s = model.store;
-  const auto force =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, s.get<ContactForce<D>>());
-  const auto nodes =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, s.get<ElementNodes<D>>());
-  PictureField field{"contact_force", "N", D, {}};
-  field.values.assign(static_cast<std::size_t>(model.nodes()) * D, 0.0);
-  for (Index e = 0; e < model.elements(); ++e)
-    for (int a = 0; a <= D; ++a)
-      for (int d = 0; d < D; ++d)
-        field.values[static_cast<std::size_t>(nodes(e, a)) * D + d] += force(e, a, d);
-  picture.node_fields.push_back(std::move(field));
+  picture.node_fields.push_back(draw_contact_force(model));
+  picture.touches = find_touches(model, lists_.surface(), lists_.pairs());
 }
 
 template <int D>
