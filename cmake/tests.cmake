@@ -5,7 +5,7 @@
 # its name. THREADS runs the whole executable with so many threads; several numbers, once for each
 # (<area>.t2.<Suite>.<Name>). The default is 2; bodies of a few hundred elements are quicker with 1. A second executable in the same area is named <area>.<name>.
 #
-# breccia_command_test(<area>.<name> COMMAND ... [LABELS quick|slow ...] [THREADS n] [TIMEOUT s] [NEEDS targets...])
+# breccia_command_test(<area>.<name> COMMAND ... [LABELS quick|slow|long ...] [THREADS n] [TIMEOUT s] [NEEDS targets...])
 #
 # A test that runs a program, mostly a Python script. It is left out if one of the NEEDS targets is not built.
 #

@@ -1,43 +1,12 @@
 #include "loops/contact_force.hpp"
 
+#include "loops/contact_point.hpp"
 #include "loops/list_tools.hpp"
-#include "point/contact_law.hpp"
 #include "point/contact_potential.hpp"
 
 namespace breccia {
 
 namespace {
-
-template <int D>
-KOKKOS_INLINE_FUNCTION
-ContactState<D> load_state(const ContactHistory<D>& history, Index a, int slot) {
-  const double* s = &history.state(a, slot, 0);
-  ContactState<D> state;
-  state.phi = s[0];
-  state.offset = s[1];
-  state.stored = s[2];
-  for (int d = 0; d < D; ++d) {
-    state.slip[d] = s[3 + d];
-    state.force[d] = s[3 + D + d];
-    state.viscous[d] = s[3 + 2 * D + d];
-  }
-  return state;
-}
-
-template <int D>
-KOKKOS_INLINE_FUNCTION
-void store_state(const ContactHistory<D>& history, Index a, int slot,
-                 const ContactState<D>& state) {
-  double* s = &history.state(a, slot, 0);
-  s[0] = state.phi;
-  s[1] = state.offset;
-  s[2] = state.stored;
-  for (int d = 0; d < D; ++d) {
-    s[3 + d] = state.slip[d];
-    s[3 + D + d] = state.force[d];
-    s[3 + 2 * D + d] = state.viscous[d];
-  }
-}
 
 template <int D>
 struct ContactForceLoop {
@@ -162,21 +131,6 @@ struct ContactForceLoop {
   }
 
   KOKKOS_FUNCTION
-  ContactParameters parameters(Index a, Index element) const {
-    const Index pair = in.point.material(a) * in.materials + in.element_material(element);
-    const double share = in.table(pair, 1), ratio = in.table(pair, 2);
-    ContactParameters p;
-    p.normal = in.point.constants(a, 0) * share;
-    p.damping = in.point.constants(a, 1) * Kokkos::sqrt(share);
-    p.tangential = p.normal * ratio;
-    p.tangential_damping = p.damping * Kokkos::sqrt(ratio);
-    p.friction = in.table(pair, 0);
-    p.dynamic_share = in.dynamic_share;
-    p.weakening_speed = in.weakening_speed;
-    return p;
-  }
-
-  KOKKOS_FUNCTION
   void touch(Index a, Index p, Index t, Point& point, Sums<3>& lost) const {
     Index node[D + 1];
     Vec<D> x[D + 1];
@@ -210,7 +164,7 @@ struct ContactForceLoop {
     const bool unseen = slot == kNone && motion.phi > 2 * norm(motion.velocity) * motion.dt;
     motion.jumped =
         (in.jumped && slot != kNone && !(point.old[slot].phi < 0)) || (unseen && motion.dt > 0);
-    const ContactParameters law = parameters(a, element);
+    const ContactParameters law = contact_parameters(in, a, element);
     const ContactState<D> old =
         slot == kNone ? ContactState<D>() : before(law, point.old[slot], motion);
     const ContactResponse<D> r = contact_response(law, old, motion);
@@ -219,7 +173,7 @@ struct ContactForceLoop {
     point.force += r.next.force;
     set_row<D>(in.pairs.pair_force, p, r.next.force);
     for (int k = 0; k <= D; ++k) in.pairs.pair_weight(p, k) = l[k];
-    book(r, lost);
+    book_contact(r, lost);
     if (in.surface.rim(t) != 0)
       Kokkos::atomic_store(&out.signals.value(ContactSignals::rim), Index(1));
   }
@@ -254,29 +208,12 @@ struct ContactForceLoop {
   /// loss.
   KOKKOS_FUNCTION
   void leave(const Point& point, int slot, Sums<3>& lost) const {
-    Index node[D + 1];
-    Vec<D> x[D + 1];
-    for (int k = 0; k <= D; ++k) {
-      node[k] = in.element_nodes(point.element[slot], k);
-      x[k] = row<D>(in.x, node[k]);
-    }
-    double l[D + 1];
-    barycentric(inverse(edge_matrix<D>(x)), x[0], point.x, l);
-    Vec<D> way = point.v;
-    for (int k = 0; k <= D; ++k) way -= row<D>(in.v, node[k]) * l[k];
-    way *= in.dt_before;
+    const Vec<D> way = way_past(in, point.element[slot], point.x, point.v);
     const ContactState<D>& old = point.old[slot];
     if (old.phi < 0) return;  // handed over, but open
-    book(contact_ended(old, way), lost);
+    book_contact(contact_ended(old, way), lost);
     if (old.phi - old.offset > 3 * norm(way))
       Kokkos::atomic_inc(&out.signals.value(ContactSignals::lost));
-  }
-
-  KOKKOS_FUNCTION
-  static void book(const ContactResponse<D>& r, Sums<3>& lost) {
-    lost[0] += r.friction;
-    lost[1] += r.viscous;
-    lost[2] += r.numeric;
   }
 };
 

@@ -36,6 +36,8 @@ using CornerVectors = Kokkos::View<double * [D + 1][D], Rows, Memory>;
 template <int D>
 using ChordNumbers = Kokkos::View<double * [kChords<D>], Rows, Memory>;
 template <int D>
+using FaceNumbers = Kokkos::View<double* [D], Rows, Memory>;
+template <int D>
 using FaceIndices = Kokkos::View<Index* [D], Rows, Memory>;
 
 /// Free and released faces, and the elements behind them. A facet is element * (D + 1) + local
@@ -73,9 +75,10 @@ struct ContactPairs {
   Array<double> pair_distance;  ///< square of it, m2: scratch of the stable step
 
   // What the force loop leaves for the gather; scratch of the stable step in between.
-  Array<std::uint8_t> hit;                              ///< per pair
-  Kokkos::View<double* [D], Rows, Memory> pair_force;   ///< N on the contactor
-  CornerNumbers<D> pair_weight;                         ///< barycentric coordinates in the target
+  Array<std::uint8_t> hit;                             ///< per pair
+  Kokkos::View<double* [D], Rows, Memory> pair_force;  ///< N on the contactor
+  CornerNumbers<D> pair_weight;                        ///< barycentric coordinates in the target
+  FaceNumbers<D> pair_own;  ///< and in the face, for the distributed potential only
   Kokkos::View<double* [D], Rows, Memory> point_force;  ///< N, all pairs of the point
 };
 

@@ -1,5 +1,8 @@
 #include "harness/contact_world.hpp"
 
+#include "loops/contact_distributed.hpp"
+#include "loops/list_tools.hpp"
+
 #include <algorithm>
 
 namespace breccia {
@@ -96,7 +99,9 @@ void ContactWorld<D>::search() {
   upload();
   clear_contact<D>(surface, pairs, mesh.points(), flags_, kBit, force_);
   take_contact_places<D>(x_, surface);
-  search_contacts(surface, skin, search_scratch_, pairs);
+  search_contacts(surface, skin + (distributed ? contact_part_reach(surface) : 0), search_scratch_,
+                  pairs);
+  make_room(pairs.pair_own, pairs.pairs);
   refresh_point_nodes(surface, pairs);
   flag_contact<D>(surface, pairs, nodes_, flags_, kBit);
   ContactStiffness<D> rule;
@@ -135,8 +140,14 @@ void ContactWorld<D>::force() {
   in.keep = keep;
   in.jumped = jumped;
   in.smooth = smooth;
-  contact_force<D>(in, {history, signals_, lost_});
-  gather_contact<D>(surface, pairs, force_);
+  const ContactForceOut<D> out{history, signals_, lost_};
+  if (distributed) {
+    contact_force_distributed<D>(in, out);
+    gather_contact_distributed<D>(surface, pairs, force_);
+  } else {
+    contact_force<D>(in, out);
+    gather_contact<D>(surface, pairs, force_);
+  }
 }
 
 template <int D>

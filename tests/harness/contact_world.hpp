@@ -26,7 +26,7 @@ class ContactWorld {
   double xi = 0, friction = 0;  ///< damping, friction coefficient
   double skin = 0.02;           ///< m
   double dt_before = 0, keep = 0;
-  bool smooth = true, jumped = false;
+  bool smooth = true, jumped = false, distributed = false;
   Index layers = 2;
   std::vector<char> released;  ///< per shared face of the topology
 

@@ -1,5 +1,6 @@
 #include "modules/contact/contact.hpp"
 
+#include "loops/contact_distributed.hpp"
 #include "loops/contact_gather.hpp"
 #include "modules/contact/contact_fields.hpp"
 #include "modules/contact/contact_pictures.hpp"
@@ -36,6 +37,7 @@ void Contact<D>::read_tables(const Model<D>& model) {
   rule_.fixed = contact.maybe_number("stiffness").value_or(0.0);
   rule_.damping = contact.number("damping");
   smooth_ = contact.text("direction") == "smooth";
+  distributed_ = contact.text("force") == "distributed_potential";
   dynamic_share_ = contact.maybe_number("dynamic_share").value_or(1.0);
   weakening_speed_ = contact.maybe_number("weakening_speed").value_or(0.0);
   const auto& materials = model.materials;
@@ -76,7 +78,7 @@ void Contact<D>::read_tables(const Model<D>& model) {
 template <int D>
 void Contact<D>::bind(Model<D>& model) {
   read_tables(model);
-  lists_.prepare(model, model.scene->at("contact").number("skin"));
+  lists_.prepare(model, model.scene->at("contact").number("skin"), distributed_);
   lists_.start(model, rule_);
   // What overlaps at the start is stored from the start, not made.
   act(model, Clock{});
@@ -86,7 +88,7 @@ void Contact<D>::bind(Model<D>& model) {
 template <int D>
 void Contact<D>::resume(Model<D>& model) {
   read_tables(model);
-  lists_.prepare(model, model.scene->at("contact").number("skin"));
+  lists_.prepare(model, model.scene->at("contact").number("skin"), distributed_);
   lists_.resume(model, rule_);
 }
 
@@ -127,8 +129,14 @@ void Contact<D>::act(Model<D>& model, const Clock& clock) {
   in.keep = std::exp(-1 / kFading);
   in.jumped = jumped;
   in.smooth = smooth_;
-  contact_force<D>(in, {lists_.history(model), lists_.signals(), lost_});
-  gather_contact<D>(lists_.surface(), pairs, s.get<ContactForce<D>>());
+  const ContactForceOut<D> out{lists_.history(model), lists_.signals(), lost_};
+  if (distributed_) {
+    contact_force_distributed<D>(in, out);
+    gather_contact_distributed<D>(lists_.surface(), pairs, s.get<ContactForce<D>>());
+  } else {
+    contact_force<D>(in, out);
+    gather_contact<D>(lists_.surface(), pairs, s.get<ContactForce<D>>());
+  }
 }
 
 template <int D>

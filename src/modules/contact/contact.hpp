@@ -42,7 +42,7 @@ class Contact final : public Module<D> {
   double dynamic_share_ = 1, weakening_speed_ = 0;
   CornerNumbers<D> corner_stiffness_;  ///< of the pairs of that version, N/m
   mutable std::int64_t stiffness_of_ = 0;
-  bool smooth_ = true;
+  bool smooth_ = true, distributed_ = false;
   bool rubs_ = false;  ///< some friction coefficient is above zero
   ChunkSums<3> lost_;  ///< J: friction, viscous, numeric
 };

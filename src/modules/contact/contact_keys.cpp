@@ -76,6 +76,11 @@ void declare_contact_keys(Schema& schema) {
           "Least reach of the contact search over the harmonic mean of the elements at surfaces: a "
           "larger one searches less often and looks at more pairs. For fast bodies it widens "
           "itself, to 0.4 at most.");
+  contact.choice("force", {"smooth", "distributed_potential"})
+      .by_default("smooth")
+      .doc(
+          "Where forces come from: points in the nodal depth, or, to compare, faces in the "
+          "potential that each element has of its own.");
   contact.choice("direction", {"smooth", "conservative"})
       .by_default("smooth")
       .doc(

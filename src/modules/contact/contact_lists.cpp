@@ -1,6 +1,7 @@
 #include "modules/contact/contact_lists.hpp"
 
 #include "fields/interface_fields.hpp"
+#include "loops/contact_distributed.hpp"
 #include "loops/contact_gather.hpp"
 #include "loops/list_tools.hpp"
 #include "modules/contact/contact_fields.hpp"
@@ -35,11 +36,12 @@ ContactHistory<D> ContactLists<D>::history(const Model<D>& model) {
 }
 
 template <int D>
-void ContactLists<D>::prepare(const Model<D>& model, double skin) {
+void ContactLists<D>::prepare(const Model<D>& model, double skin, bool by_parts) {
   list_free_facets(model);
   if (signals_.value.extent(0) == 0)
     signals_.value = Array<Index>("breccia::contact::signals", ContactSignals::count);
   skin_share_ = skin;
+  by_parts_ = by_parts;
 }
 
 /// Free faces of the elements that stay, and their faces towards what is gone. What is being
@@ -225,7 +227,8 @@ template <int D>
 void ContactLists<D>::make_pairs(Model<D>& model, const ContactStiffness<D>& rule) {
   skin_ = skin();
   take_contact_places<D>(model.store.template get<NodePosition<D>>(), surface_);
-  search_contacts(surface_, skin_, search_scratch_, pairs_);
+  const double reach = by_parts_ ? contact_part_reach(surface_) : 0;
+  search_contacts(surface_, skin_ + reach, search_scratch_, pairs_);
   attach(model, rule);
 }
 
@@ -233,6 +236,7 @@ template <int D>
 void ContactLists<D>::attach(Model<D>& model, const ContactStiffness<D>& rule) {
   const Store& s = model.store;
   ++version_;
+  if (by_parts_) make_room(pairs_.pair_own, pairs_.pairs);
   refresh_point_nodes(surface_, pairs_);
   flag_contact<D>(surface_, pairs_, s.get<ElementNodes<D>>(), s.get<NodeFlags>(),
                   node_flag::contact);

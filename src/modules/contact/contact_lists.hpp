@@ -17,8 +17,8 @@ template <int D>
 class ContactLists {
  public:
   /// Free faces of the mesh. `skin`: least reach of the search, over the mean size of elements
-  /// behind the surface.
-  void prepare(const Model<D>& model, double skin);
+  /// behind the surface. `by_parts`: pairs of whole parts of faces, not of points.
+  void prepare(const Model<D>& model, double skin, bool by_parts);
   /// First surface and search; no point remembers anything.
   void start(Model<D>& model, const ContactStiffness<D>& rule);
   /// After `archive` has read the lists: what follows from them.
@@ -70,7 +70,7 @@ class ContactLists {
   std::int64_t last_look_ = 0, next_look_ = 0;
   std::int64_t version_ = 0;
   std::int64_t changes_ = 0;  ///< of Model::surface_changes that the surface knows
-  bool deeper_exist_ = false, jumped_ = false;
+  bool deeper_exist_ = false, jumped_ = false, by_parts_ = false;
 };
 
 }  // namespace breccia
