@@ -79,7 +79,9 @@ void fill_contact_bins(const ContactSurface<D>& surface, double skin, ContactBin
   list_begins("breccia::contact::buckets", grid.buckets, fill, bins.begin);
   make_room(bins.tag, use.entries);
   make_room(bins.target, use.entries);
+  make_room(bins.piece, use.entries);
   const ContactBins<D> b = bins;
+  const Array<Index> piece = surface.piece;
   for_each(
       "breccia::contact::fill_buckets", surface.targets, KOKKOS_LAMBDA(Index t) {
         grid.cover(ContactBox<D>(b, t), [&](std::uint64_t tag) {
@@ -87,6 +89,7 @@ void fill_contact_bins(const ContactSurface<D>& surface, double skin, ContactBin
           const Index place = b.begin(bucket) + Kokkos::atomic_fetch_sub(&b.fill(bucket), 1) - 1;
           b.tag(place) = tag;
           b.target(place) = t;
+          b.piece(place) = piece(t);
         });
       });
 }

@@ -51,11 +51,21 @@ struct ContactSurface {
   Array<double> height;       ///< m, mean of volume / area of the elements at the face
   Array<Index> target;        ///< elements near the surface, ascending
   Array<std::uint8_t> rim;    ///< 1 where deeper elements exist that are no targets
+  Array<Index> piece;         ///< of a target that cannot touch its own piece; else kNone
   CornerIndices<D> nodes;     ///< of the targets; anew after nodes split
   CornerVectors<D> place;     ///< where the targets' nodes were at the last search, m
   CornerNumbers<D> depth;     ///< phi at the nodes, m
   ChordNumbers<D> bubble;     ///< see point/contact_potential.hpp
   Kokkos::View<double * [D + 1][D], Rows, Memory> slope;
+};
+
+/// The nodes of all targets, each once, as they were at the last search.
+template <int D>
+struct ContactNodes {
+  Index count = 0;
+  Array<Index> node;
+  Array<std::uint8_t> mark;  ///< per node, scratch
+  Vectors<D> place;          ///< per node, m
 };
 
 /// Contact points that are near a target, their candidate pairs, and what adds up on an element.

@@ -78,6 +78,25 @@ bool sides_meet(const ReleasedFaces<D>& in, const Array<Index>& list, Index n,
          0;
 }
 
+template <int D>
+void find_whole_pieces(const ReleasedFaces<D>& in, const Array<Index>& piece,
+                       const Array<std::uint8_t>& cut, const ContactSurface<D>& surface) {
+  for_each(
+      "breccia::contact::cut_pieces", in.faces, KOKKOS_LAMBDA(Index f) {
+        const Index p = in.status(f) == 0 ? kNone : piece(in.elements(f, 0));
+        if (p != kNone) Kokkos::atomic_store(&cut(p), std::uint8_t{1});
+      });
+  for_each(
+      "breccia::contact::pieces", surface.targets, KOKKOS_LAMBDA(Index t) {
+        const Index p = piece(surface.target(t));
+        surface.piece(t) = p != kNone && cut(p) == 0 ? p : kNone;
+      });
+}
+
+template void find_whole_pieces<2>(const ReleasedFaces<2>&, const Array<Index>&,
+                                   const Array<std::uint8_t>&, const ContactSurface<2>&);
+template void find_whole_pieces<3>(const ReleasedFaces<3>&, const Array<Index>&,
+                                   const Array<std::uint8_t>&, const ContactSurface<3>&);
 template void mark_known_releases<2>(const ReleasedFaces<2>&, const ContactSurface<2>&,
                                      Array<std::uint8_t>&);
 template void mark_known_releases<3>(const ReleasedFaces<3>&, const ContactSurface<3>&,

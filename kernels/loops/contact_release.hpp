@@ -23,12 +23,22 @@ template <int D>
 Index list_new_releases(const ReleasedFaces<D>& in, const Array<std::uint8_t>& known,
                         Array<Index>& list);
 
+/// Sets ContactSurface::piece from the pieces of the elements, without those of which a face has
+/// been inserted or released; `cut` remembers them, by the element that names the piece.
+template <int D>
+void find_whole_pieces(const ReleasedFaces<D>& in, const Array<Index>& piece,
+                       const Array<std::uint8_t>& cut, const ContactSurface<D>& surface);
+
 /// True when the sides of one of the n listed faces touch at a contact point, or may within `time`:
 /// their gap is at most the way that they go against each other meanwhile.
 template <int D>
 bool sides_meet(const ReleasedFaces<D>& in, const Array<Index>& list, Index n,
                 const ConstVectors<D>& x, const ConstVectors<D>& v, double time);
 
+extern template void find_whole_pieces<2>(const ReleasedFaces<2>&, const Array<Index>&,
+                                          const Array<std::uint8_t>&, const ContactSurface<2>&);
+extern template void find_whole_pieces<3>(const ReleasedFaces<3>&, const Array<Index>&,
+                                          const Array<std::uint8_t>&, const ContactSurface<3>&);
 extern template void mark_known_releases<2>(const ReleasedFaces<2>&, const ContactSurface<2>&,
                                             Array<std::uint8_t>&);
 extern template void mark_known_releases<3>(const ReleasedFaces<3>&, const ContactSurface<3>&,

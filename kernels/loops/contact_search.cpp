@@ -65,17 +65,21 @@ struct Candidates {
     return in;
   }
 
-  /// Calls f(t) for each target whose box holds q.
+  /// Calls f(t) for each target whose box holds a point at q and that is not of its own piece, if
+  /// that cannot touch itself.
   template <class F>
   KOKKOS_FUNCTION
-  void each(const Vec<D>& q, const F& f) const {
+  void each(Index point, const Vec<D>& q, const F& f) const {
     const ContactGrid<D> grid{bins.cell, bins.buckets};
+    const Index piece = surface.piece(surface.facet_target(point / kFacePoints<D>));
+    const Index own = piece == kNone ? kNone - 1 : piece;
     for (int level = 0; level < GridShape<D>::levels; ++level) {
       if ((bins.levels & (1u << level)) == 0) continue;
       const std::uint64_t tag = grid.tag_at(level, q);
       const Index bucket = grid.bucket(tag);
       for (Index k = bins.begin(bucket); k < bins.begin(bucket + 1); ++k)
-        if (bins.tag(k) == tag && in_box(q, bins.target(k))) f(bins.target(k));
+        if (bins.piece(k) != own && bins.tag(k) == tag && in_box(q, bins.target(k)))
+          f(bins.target(k));
     }
   }
 };
@@ -90,7 +94,7 @@ Index find_candidates(const Candidates<D>& find, Index all_points,
   for_each(
       "breccia::contact::count_boxes", all_points, KOKKOS_LAMBDA(Index p) {
         Index n = 0;
-        find.each(find.place(p), [&](Index) { ++n; });
+        find.each(p, find.place(p), [&](Index) { ++n; });
         count(p) = n;
       });
   const Index points = list_where(
@@ -107,7 +111,7 @@ Index find_candidates(const Candidates<D>& find, Index all_points,
         const Index p = active(a);
         const Vec<D> q = find.place(p);
         Index k = begin(a);
-        find.each(q, [&](Index t) {
+        find.each(p, q, [&](Index t) {
           if (find.apart(p / kFacePoints<D>, t) && find.near(q, t)) found(k++) = t;
         });
         sort_list(&found(begin(a)), k - begin(a));
@@ -222,6 +226,47 @@ ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
 }
 
 template <int D>
+void list_contact_nodes(const ContactSurface<D>& surface, Index nodes, ContactNodes<D>& list) {
+  make_room(list.mark, nodes);
+  make_room(list.place, nodes);
+  const ContactNodes<D> to = list;
+  Kokkos::deep_copy(Exec(), list.mark, std::uint8_t{0});
+  // Corners of one node write the same numbers.
+  for_each(
+      "breccia::contact::mark_nodes", surface.targets, KOKKOS_LAMBDA(Index t) {
+        for (int a = 0; a <= D; ++a) {
+          const Index n = surface.nodes(t, a);
+          Kokkos::atomic_store(&to.mark(n), std::uint8_t{1});
+          for (int d = 0; d < D; ++d) Kokkos::atomic_store(&to.place(n, d), surface.place(t, a, d));
+        }
+      });
+  list.count = list_where(
+      "breccia::contact::nodes", nodes, KOKKOS_LAMBDA(Index n) { return to.mark(n) != 0; },
+      list.node);
+}
+
+template <int D>
+ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
+                       const ContactNodes<D>& list, const Kokkos::View<const Index, Memory>& rim) {
+  double way = 0, speed = 0;
+  Index deep = 0;
+  if (list.count == 0) return {};
+  count_launch();
+  Kokkos::parallel_reduce(
+      "breccia::contact::node_way",
+      Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, list.count),
+      KOKKOS_LAMBDA(Index i, double& most, double& fastest, Index& set) {
+        if (i == 0) set = rim();
+        const Index n = list.node(i);
+        const double w = norm2(row<D>(x, n) - row<D>(list.place, n)), s = norm2(row<D>(v, n));
+        most = w > most ? w : most;
+        fastest = s > fastest ? s : fastest;
+      },
+      Kokkos::Max<double>(way), Kokkos::Max<double>(speed), Kokkos::Max<Index>(deep));
+  return {Kokkos::sqrt(way), Kokkos::sqrt(speed), deep};
+}
+
+template <int D>
 double mean_contact_size(const ContactSurface<D>& surface) {
   if (surface.facets == 0) return 0;
   const Array<double> height = surface.height;
@@ -261,6 +306,14 @@ template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>
                                    const Kokkos::View<const Index, Memory>&);
 template ContactWay contact_way<3>(const ConstVectors<3>&, const ConstVectors<3>&,
                                    const ContactSurface<3>&,
+                                   const Kokkos::View<const Index, Memory>&);
+template void list_contact_nodes<2>(const ContactSurface<2>&, Index, ContactNodes<2>&);
+template void list_contact_nodes<3>(const ContactSurface<3>&, Index, ContactNodes<3>&);
+template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>&,
+                                   const ContactNodes<2>&,
+                                   const Kokkos::View<const Index, Memory>&);
+template ContactWay contact_way<3>(const ConstVectors<3>&, const ConstVectors<3>&,
+                                   const ContactNodes<3>&,
                                    const Kokkos::View<const Index, Memory>&);
 template double mean_contact_size<2>(const ContactSurface<2>&);
 template double mean_contact_size<3>(const ContactSurface<3>&);

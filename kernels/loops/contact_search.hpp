@@ -14,6 +14,7 @@ struct ContactBins {
   Array<Index> fill;
   Array<std::uint64_t> tag;  ///< per entry: the cell, exactly
   Array<Index> target;       ///< per entry
+  Array<Index> piece;        ///< per entry: of its target
   Kokkos::View<double * [2 * D], Rows, Memory>
       box;  ///< of the targets with their skin: low, high; m
 };
@@ -42,16 +43,24 @@ ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
                        const ContactSurface<D>& surface,
                        const Kokkos::View<const Index, Memory>& rim);
 
+/// Lists the nodes of the targets; `nodes`: of the whole model.
+template <int D>
+void list_contact_nodes(const ContactSurface<D>& surface, Index nodes, ContactNodes<D>& list);
+
+/// The same way from each node once instead of from each corner; until nodes split.
+template <int D>
+ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
+                       const ContactNodes<D>& list, const Kokkos::View<const Index, Memory>& rim);
+
 /// Harmonic mean of the sizes of the elements behind the surface, m: many small ones count, a few
 /// do not.
 template <int D>
 double mean_contact_size(const ContactSurface<D>& surface);
 
 /// All pairs (contact point, target) whose distance at `surface.place` is at most `skin`, without
-/// targets that share a
-/// node with the point's face. As long as no node has moved more than skin / 2, no contact is
-/// missed. Lists are
-/// ascending, so they do not depend on the number of threads.
+/// targets that share a node with the point's face or belong to its piece, if that cannot touch
+/// itself (ContactSurface::piece). As long as no node has moved more than skin / 2, no contact is
+/// missed. Lists are ascending, so they do not depend on the number of threads.
 template <int D>
 void search_contacts(const ContactSurface<D>& surface, double skin,
                      ContactSearchScratch<D>& scratch, ContactPairs<D>& pairs);
@@ -68,6 +77,14 @@ extern template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVec
                                           const Kokkos::View<const Index, Memory>&);
 extern template ContactWay contact_way<3>(const ConstVectors<3>&, const ConstVectors<3>&,
                                           const ContactSurface<3>&,
+                                          const Kokkos::View<const Index, Memory>&);
+extern template void list_contact_nodes<2>(const ContactSurface<2>&, Index, ContactNodes<2>&);
+extern template void list_contact_nodes<3>(const ContactSurface<3>&, Index, ContactNodes<3>&);
+extern template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>&,
+                                          const ContactNodes<2>&,
+                                          const Kokkos::View<const Index, Memory>&);
+extern template ContactWay contact_way<3>(const ConstVectors<3>&, const ConstVectors<3>&,
+                                          const ContactNodes<3>&,
                                           const Kokkos::View<const Index, Memory>&);
 extern template double mean_contact_size<2>(const ContactSurface<2>&);
 extern template double mean_contact_size<3>(const ContactSurface<3>&);

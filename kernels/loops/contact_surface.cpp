@@ -155,6 +155,8 @@ void find_targets(const ContactSurfaceIn<D>& in, ContactScratch<D>& scratch,
   surface.targets = list_where(
       "breccia::contact::targets", in.elements, KOKKOS_LAMBDA(Index e) { return chosen(e) != 0; },
       surface.target);
+  make_room(surface.piece, surface.targets);
+  Kokkos::deep_copy(Exec(), surface.piece, kNone);
   make_room(surface.rim, surface.targets);
   make_room(surface.nodes, surface.targets);
   make_room(surface.place, surface.targets);

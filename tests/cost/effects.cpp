@@ -159,6 +159,25 @@ TEST(Cost, LaunchesOfTheCostSheetAreThoseOfKokkos) {
   EXPECT_EQ(booked, log.launches() - before);
 }
 
+// A body that moves as a whole and touches nothing: no point has anybody near it, so that contact
+// is one look at the surface's nodes in eight steps, and a search now and then.
+TEST(Cost, ContactOfAWholeBodyIsALookNowAndThen) {
+  SceneWorld<2> world(with({kEffects[3].section}).text());
+  world.simulation.start();
+  put_field<NodeVelocity<2>, 2>(world, [](const Vec<2>& x) {
+    return Vec<2>{{0.1 - 0.1 * x[1], 0.1 * x[0]}};
+  });
+  world.steps(20);
+  const KokkosLog log;
+  world.steps(400);
+  Counts counts;
+  for (const auto& m : world.simulation.modules()) m->count(world.model(), counts);
+  EXPECT_EQ(counts.contact_points, 0);
+  EXPECT_EQ(world.store().count(Entity::contact_point), 0);
+  EXPECT_EQ(log.record().launches.count("breccia::contact::force"), 0u);
+  EXPECT_LE(log.record().launches.at("breccia::contact::node_way"), 51);
+}
+
 std::string hash_after(const BlockScene& scene, int steps) {
   SceneWorld<2> world(scene.text());
   world.simulation.start();

@@ -1,7 +1,9 @@
 #include "harness/contact_world.hpp"
 
 #include "loops/contact_distributed.hpp"
+#include "loops/contact_release.hpp"
 #include "loops/list_tools.hpp"
+#include "mesh/whole_pieces.hpp"
 
 #include <algorithm>
 
@@ -92,6 +94,17 @@ void ContactWorld<D>::update_surface() {
   in.released = kReleased;
   in.layers = layers;
   update_contact_surface(in, scratch_, surface);
+}
+
+template <int D>
+void ContactWorld<D>::tell_pieces() {
+  const auto elements = static_cast<std::size_t>(mesh.elements());
+  const auto piece =
+      to_device("piece", whole_pieces(mesh, topology, std::vector<std::uint8_t>(elements, 0)));
+  ReleasedFaces<D> in;
+  in.status = status_;
+  in.elements = face_elements_;
+  find_whole_pieces<D>(in, piece, Array<std::uint8_t>("cut", elements), surface);
 }
 
 template <int D>
@@ -208,6 +221,14 @@ std::vector<std::pair<Index, Index>> ContactWorld<D>::candidates() const {
   for (Index a = 0; a < pairs.points; ++a)
     for (Index p = begin[a]; p < begin[a + 1]; ++p) list.emplace_back(point[a], element[target[p]]);
   return list;
+}
+
+template <int D>
+ContactWay ContactWorld<D>::way_of_nodes() const {
+  upload();
+  ContactNodes<D> list;
+  list_contact_nodes(surface, mesh.points(), list);
+  return contact_way<D>(x_, v_, list, Kokkos::subview(signals_.value, ContactSignals::rim));
 }
 
 template <int D>

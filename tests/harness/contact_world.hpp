@@ -31,6 +31,7 @@ class ContactWorld {
   std::vector<char> released;  ///< per shared face of the topology
 
   void update_surface();  ///< facets, targets, potential
+  void tell_pieces();     ///< which targets cannot touch their own piece (mesh/whole_pieces.hpp)
   void search();
   void force();  ///< and the gather
 
@@ -47,6 +48,7 @@ class ContactWorld {
   /// (point id, element) of all candidates, sorted.
   std::vector<std::pair<Index, Index>> candidates() const;
   ContactWay way() const;
+  ContactWay way_of_nodes() const;
   std::vector<double> node_stiffness() const;
 
   ContactSurface<D> surface;

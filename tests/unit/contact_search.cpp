@@ -73,6 +73,23 @@ TEST(ContactSearch, EqualsBruteForce) {
     }
 }
 
+// What is whole, convex and compact is not looked for in itself, and nothing else is left out.
+TEST(ContactSearch, WholePiecesDoNotMeetThemselves) {
+  ContactWorld<2> world(polygons(300, 10.0, false, 5));
+  world.skin = 0.8;  // twice the smallest polygons
+  world.update_surface();
+  world.search();
+  const auto all = world.candidates();
+  world.tell_pieces();
+  world.search();
+  const auto found = world.candidates();
+  EXPECT_LT(found.size() + 1000, all.size());
+  EXPECT_EQ(found, brute_force(world, world.skin));
+  // Each node once gives the same way as each corner.
+  for (auto& x : world.x) x += Vec<2>{{0.1 * x[1], 0.02}};
+  EXPECT_EQ(world.way().way, world.way_of_nodes().way);
+}
+
 // V-054 at 1e4 polygons; brute force over a sample of the points.
 TEST(ContactSearch, TenThousandPolygons) {
   ContactWorld<2> world(polygons(10000, 50.0, false, 6));

@@ -4,6 +4,7 @@
 #include "loops/contact_distributed.hpp"
 #include "loops/contact_gather.hpp"
 #include "loops/list_tools.hpp"
+#include "mesh/whole_pieces.hpp"
 #include "modules/contact/contact_fields.hpp"
 
 #include <fmt/format.h>
@@ -49,10 +50,14 @@ void ContactLists<D>::prepare(const Model<D>& model, double skin, bool by_parts)
 template <int D>
 void ContactLists<D>::list_free_facets(const Model<D>& model) {
   std::vector<double> share(model.mesh.element.size(), 1.0);
-  for (const Block& block : model.blocks)
+  std::vector<std::uint8_t> rigid(share.size(), 0);
+  for (const Block& block : model.blocks) {
+    if (model.materials[static_cast<std::size_t>(block.material)].rigid)
+      std::fill(rigid.begin() + block.begin, rigid.begin() + block.end, std::uint8_t{1});
     if (block.excavation != kNone)
       std::fill(share.begin() + block.begin, share.begin() + block.end,
                 model.excavations[static_cast<std::size_t>(block.excavation)].share);
+  }
   std::vector<Index> free;
   for (const ElementFace& f : model.topology.free)
     if (share[static_cast<std::size_t>(f.element)] == 1)
@@ -64,6 +69,15 @@ void ContactLists<D>::list_free_facets(const Model<D>& model) {
     if (right == 1 && left == 0) free.push_back(f.right * (D + 1) + f.right_face);
   }
   free_facet_ = to_device("breccia::contact::free_facets", free);
+  // A piece that something is taken from is no longer what it was.
+  std::vector<Index> piece = whole_pieces(model.mesh, model.topology, rigid);
+  std::vector<std::uint8_t> cut(piece.size(), 0);
+  for (std::size_t e = 0; e < piece.size(); ++e)
+    if (share[e] != 1 && piece[e] != kNone) cut[static_cast<std::size_t>(piece[e])] = 1;
+  for (Index& p : piece)
+    if (p != kNone && cut[static_cast<std::size_t>(p)] != 0) p = kNone;
+  piece_ = to_device("breccia::contact::piece", piece);
+  cut_ = Array<std::uint8_t>("breccia::contact::cut", piece.size());
   changes_ = model.surface_changes;
 }
 
@@ -101,9 +115,7 @@ void ContactLists<D>::look(Model<D>& model, const Clock& clock, const ContactSti
     ++version_;
   }
   if (!due && clock.step >= next_look_) {
-    const ContactWay now = contact_way<D>(model.store.template get<NodePosition<D>>(),
-                                          model.store.template get<NodeVelocity<D>>(), surface_,
-                                          Kokkos::subview(signals_.value, ContactSignals::rim));
+    const ContactWay now = way(model);
     chase_ = kSearchSteps * now.speed * clock.dt;
     due = far(model, clock, now);
     deeper = now.rim != 0 && deepen();
@@ -143,6 +155,16 @@ bool ContactLists<D>::pressed(Model<D>& model, const Clock& clock) {
   return clock.step >= patience_ ||
          sides_meet<D>(in, fresh_, fresh_count_, model.store.template get<NodePosition<D>>(),
                        model.store.template get<NodeVelocity<D>>(), clock.dt);
+}
+
+template <int D>
+ContactWay ContactLists<D>::way(const Model<D>& model) const {
+  const ConstVectors<D> x = model.store.template get<NodePosition<D>>();
+  const ConstVectors<D> v = model.store.template get<NodeVelocity<D>>();
+  const auto rim = Kokkos::subview(signals_.value, ContactSignals::rim);
+  // Copies of nodes that split since the search are known by their corners only.
+  return model.splits == search_splits_ ? contact_way<D>(x, v, nodes_, rim)
+                                        : contact_way<D>(x, v, surface_, rim);
 }
 
 /// True when a node may have left its half of the skin.
@@ -210,6 +232,7 @@ void ContactLists<D>::make_surface(Model<D>& model) {
   in.layers = static_cast<Index>(layers_);
   deeper_exist_ = update_contact_surface(in, scratch_, surface_);
   size_ = mean_contact_size(surface_);
+  find_whole_pieces(faces(model), piece_, cut_, surface_);
   mark_known_releases(faces(model), surface_, known_);
   releases_ = seen_releases_ = model.releases;
   splits_ = surface_splits_ = model.splits;
@@ -229,6 +252,8 @@ void ContactLists<D>::make_pairs(Model<D>& model, const ContactStiffness<D>& rul
   take_contact_places<D>(model.store.template get<NodePosition<D>>(), surface_);
   const double reach = by_parts_ ? contact_part_reach(surface_) : 0;
   search_contacts(surface_, skin_ + reach, search_scratch_, pairs_);
+  list_contact_nodes(surface_, model.nodes(), nodes_);
+  search_splits_ = model.splits;
   attach(model, rule);
 }
 

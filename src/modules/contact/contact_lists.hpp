@@ -41,6 +41,7 @@ class ContactLists {
  private:
   ReleasedFaces<D> faces(const Model<D>& model) const;
   void list_free_facets(const Model<D>& model);
+  ContactWay way(const Model<D>& model) const;
   bool pressed(Model<D>& model, const Clock& clock);
   bool far(Model<D>& model, const Clock& clock, const ContactWay& now);
   bool deepen();
@@ -52,6 +53,7 @@ class ContactLists {
   void carry(Model<D>& model, bool released);
 
   ContactSurface<D> surface_;
+  ContactNodes<D> nodes_;  ///< until nodes split
   ContactPairs<D> pairs_;
   ContactPointData<D> point_;
   ContactSignals signals_;
@@ -59,13 +61,15 @@ class ContactLists {
   ContactSearchScratch<D> search_scratch_;
   ContactHistory<D> spare_;
   Array<Index> free_facet_, old_facet_;
+  Array<Index> piece_;         ///< per element, see whole_pieces
+  Array<std::uint8_t> cut_;    ///< per element that names a piece: a face of it was inserted
   Array<std::uint8_t> known_;  ///< per face: released, and part of the surface
   Array<Index> fresh_;         ///< released faces that are not part of it yet
   Index old_facets_ = 0, fresh_count_ = 0;
   double skin_share_ = 0, skin_ = 0;
   double size_ = 0;   ///< mean size of elements behind the surface, m
   double chase_ = 0;  ///< way of the fastest node in kSearchSteps steps, at the last look, m
-  std::int64_t layers_ = 2, splits_ = 0, surface_splits_ = 0, releases_ = 0;
+  std::int64_t layers_ = 2, splits_ = 0, surface_splits_ = 0, search_splits_ = -1, releases_ = 0;
   std::int64_t seen_releases_ = 0, patience_ = 0;  ///< last step in which open faces may wait
   std::int64_t last_look_ = 0, next_look_ = 0;
   std::int64_t version_ = 0;

@@ -67,6 +67,7 @@ void ContactLists<D>::archive(Archive& archive) {
   archive_rows(archive, "contact.area", surface_.area, surface_.facets);
   archive_rows(archive, "contact.height", surface_.height, surface_.facets);
   archive_rows(archive, "contact.target", surface_.target, surface_.targets);
+  archive_rows(archive, "contact.piece", surface_.piece, surface_.targets);
   archive_rows(archive, "contact.rim", surface_.rim, surface_.targets);
   archive_rows(archive, "contact.place", surface_.place, surface_.targets);
   archive_rows(archive, "contact.depth", surface_.depth, surface_.targets);
@@ -87,16 +88,17 @@ std::size_t ContactLists<D>::bytes() const {
   const auto& p = pairs_;
   const auto& c = scratch_;
   const auto& b = search_scratch_;
-  return memory_of(s.facet, s.facet_target, s.area, s.height, s.target, s.rim, s.nodes, s.place,
-                   s.depth, s.bubble, s.slope, old_facet_, free_facet_, known_, fresh_) +
+  return memory_of(s.facet, s.facet_target, s.area, s.height, s.target, s.rim, s.piece, s.nodes,
+                   s.place, s.depth, s.bubble, s.slope, old_facet_, free_facet_, known_, fresh_,
+                   piece_, cut_, nodes_.node, nodes_.mark, nodes_.place) +
          memory_of(p.point, p.facet, p.pair_begin, p.target, p.own_begin, p.come_begin, p.come,
                    p.element, p.nodes, p.hit, p.pair_distance, p.pair_force, p.pair_weight,
                    p.point_force) +
          memory_of(point_.constants, point_.material, spare_.element, spare_.state) +
          memory_of(c.surface, c.height, c.level, c.edge, c.chosen, c.ring, c.nearest, c.nearer,
                    c.bubble, c.depth, c.gradient) +
-         memory_of(b.bins.begin, b.bins.fill, b.bins.tag, b.bins.target, b.bins.box, b.count,
-                   b.active, b.kept, b.found_begin, b.found);
+         memory_of(b.bins.begin, b.bins.fill, b.bins.tag, b.bins.target, b.bins.piece, b.bins.box,
+                   b.count, b.active, b.kept, b.found_begin, b.found);
 }
 
 template void ContactLists<2>::archive(Archive&);
