@@ -108,8 +108,8 @@ struct DistributedForceLoop {
            Sums<3>& lost) const {
     Vec<D> at = Vec<D>::zero(), speed = Vec<D>::zero();
     for (int k = 0; k < D; ++k) {
-      at += x[k] * face_weight<D>(q, k);
-      speed += v[k] * face_weight<D>(q, k);
+      at += x[k] * face_weight<D>(q, k, in.surface.own_weight);
+      speed += v[k] * face_weight<D>(q, k, in.surface.own_weight);
     }
     const Vec<D> way = way_past(in, out.history.element(a, 0), at, speed);
     book_contact(contact_ended(old, way), lost);

@@ -81,8 +81,8 @@ struct ContactForceLoop {
     for (int k = 0; k < D; ++k) {
       const Index n = in.pairs.nodes(a, k);
       x[k] = row<D>(in.x, n);
-      point.x += x[k] * face_weight<D>(q, k);
-      point.v += row<D>(in.v, n) * face_weight<D>(q, k);
+      point.x += x[k] * face_weight<D>(q, k, in.surface.own_weight);
+      point.v += row<D>(in.v, n) * face_weight<D>(q, k, in.surface.own_weight);
     }
     point.instead = face_normal(x);
     point.instead *= -1 / norm(point.instead);

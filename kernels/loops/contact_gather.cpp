@@ -10,8 +10,8 @@ namespace {
 /// Weight of a corner at a point of a face of its element; zero at the corner opposite.
 template <int D>
 KOKKOS_INLINE_FUNCTION
-void add_own(int f, int q, const Vec<D>& force, Vec<D> (&sum)[D + 1]) {
-  for (int k = 0; k < D; ++k) sum[face_node<D>(f, k)] += force * face_weight<D>(q, k);
+void add_own(int f, int q, double own, const Vec<D>& force, Vec<D> (&sum)[D + 1]) {
+  for (int k = 0; k < D; ++k) sum[face_node<D>(f, k)] += force * face_weight<D>(q, k, own);
 }
 
 template <int D>
@@ -28,7 +28,7 @@ struct GatherContact {
     for (Index a = pairs.own_begin(t); a < pairs.own_begin(t + 1); ++a) {
       const Index point = pairs.point(a);
       const int f = (point / kFacePoints<D>) % (D + 1);
-      add_own<D>(f, point % kFacePoints<D>, row<D>(pairs.point_force, a), sum);
+      add_own<D>(f, point % kFacePoints<D>, surface.own_weight, row<D>(pairs.point_force, a), sum);
     }
     for (Index c = pairs.come_begin(t); c < pairs.come_begin(t + 1); ++c) {
       const Index p = pairs.come(c);
@@ -65,7 +65,8 @@ struct LikelyContact {
     Vec<D> at = Vec<D>::zero();
     for (int k = 0; k < D; ++k)
       for (int d = 0; d < D; ++d)
-        at[d] += face_weight<D>(q, k) * in.surface.place(own, face_node<D>(f, k), d);
+        at[d] += face_weight<D>(q, k, in.surface.own_weight) *
+                 in.surface.place(own, face_node<D>(f, k), d);
     const Index begin = in.pairs.pair_begin(a), end = in.pairs.pair_begin(a + 1);
     for (Index p = begin; p < end; ++p) {
       Vec<D> x[D + 1];
@@ -126,7 +127,7 @@ void element_stiffness(const LikelyContact<D>& likely, Index i) {
     const Index point = in.pairs.point(a);
     for (int n = 0; n < D; ++n)
       sum[face_node<D>((point / kFacePoints<D>) % (D + 1), n)] +=
-          2 * k * face_weight<D>(point % kFacePoints<D>, n);
+          2 * k * face_weight<D>(point % kFacePoints<D>, n, in.surface.own_weight);
   }
   for (Index c = in.pairs.come_begin(t); c < in.pairs.come_begin(t + 1); ++c) {
     const Index p = in.pairs.come(c), a = point_of(in.pairs.pair_begin, in.pairs.points, p);

@@ -26,7 +26,7 @@ struct TakeOver {
     history.state(a, 0, ContactHistory<D>::depth) = -1;
     for (int i = 0; i < D; ++i) {
       const int corner = left ? i : opposite_face_node<D>(turn, i);
-      const double w = face_weight<D>(point % kFacePoints<D>, i) * (left ? -1 : 1);
+      const double w = face_weight<D>(point % kFacePoints<D>, i, in.own_weight) * (left ? -1 : 1);
       for (int d = 0; d < D; ++d)
         history.state(a, 0, ContactHistory<D>::slip + d) +=
             w * in.slip(in.face_interface(face), corner, d);

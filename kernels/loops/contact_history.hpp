@@ -31,6 +31,7 @@ template <int D>
 struct ContactHandover {
   Array<Index> old_facet;  ///< facets before the release, ascending
   Index old_facets = 0;
+  double own_weight = PointWeight<D>::gauss;  ///< of the contact points
   ConstConnectivity<D> element_faces;
   ConstRanges face_elements;
   Kokkos::View<const std::uint8_t*, Memory> face_code;

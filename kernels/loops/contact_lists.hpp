@@ -4,25 +4,27 @@
 
 namespace breccia {
 
-/// Contact points on one face: Gauss points of a segment, or the three of a triangle that integrate
-/// second order.
+/// Contact points on one face, one for each of its nodes.
 template <int D>
-inline constexpr int kFacePoints = D == 2 ? 2 : 3;
+inline constexpr int kFacePoints = D;
 
 /// Pieces of material that a contact point remembers at the same time.
 inline constexpr int kContactSlots = 2;
 
+/// Weight of a contact point's own node. `gauss`: the Gauss points of a segment, or the three of a
+/// triangle that integrate second order. `corners`: the nodes themselves. Any such points integrate
+/// what is linear exactly.
+template <int D>
+struct PointWeight {
+  static constexpr double gauss = D == 2 ? 0.78867513459481288225 : 2.0 / 3;  // (1 + 3^-1/2) / 2
+  static constexpr double corners = 1;
+};
+
 /// Weight of face node i at contact point q of the face.
 template <int D>
 KOKKOS_INLINE_FUNCTION
-constexpr double face_weight(int q, int i) {
-  if constexpr (D == 2) {
-    constexpr double kNear = 0.78867513459481288225,
-                     kFar = 0.21132486540518711775;  // (1 +- 3^-1/2) / 2
-    return q == i ? kNear : kFar;
-  } else {
-    return q == i ? 2.0 / 3 : 1.0 / 6;
-  }
+constexpr double face_weight(int q, int i, double own) {
+  return q == i ? own : (1 - own) / (D - 1);
 }
 
 /// Numbers per corner of the elements, in rows: (element, corner).
@@ -45,17 +47,18 @@ using FaceIndices = Kokkos::View<Index* [D], Rows, Memory>;
 template <int D>
 struct ContactSurface {
   Index facets = 0, targets = 0;
-  Array<Index> facet;         ///< ascending
-  Array<Index> facet_target;  ///< place of its element among the targets
-  Array<double> area;         ///< m2 of the reference face (length times thickness in the plane)
-  Array<double> height;       ///< m, mean of volume / area of the elements at the face
-  Array<Index> target;        ///< elements near the surface, ascending
-  Array<std::uint8_t> rim;    ///< 1 where deeper elements exist that are no targets
-  Array<Index> piece;         ///< of a target that cannot touch its own piece; else kNone
-  CornerIndices<D> nodes;     ///< of the targets; anew after nodes split
-  CornerVectors<D> place;     ///< where the targets' nodes were at the last search, m
-  CornerNumbers<D> depth;     ///< phi at the nodes, m
-  ChordNumbers<D> bubble;     ///< see point/contact_potential.hpp
+  double own_weight = PointWeight<D>::gauss;  ///< of the contact points
+  Array<Index> facet;                         ///< ascending
+  Array<Index> facet_target;                  ///< place of its element among the targets
+  Array<double> area;       ///< m2 of the reference face (length times thickness in the plane)
+  Array<double> height;     ///< m, mean of volume / area of the elements at the face
+  Array<Index> target;      ///< elements near the surface, ascending
+  Array<std::uint8_t> rim;  ///< 1 where deeper elements exist that are no targets
+  Array<Index> piece;       ///< of a target that cannot touch its own piece; else kNone
+  CornerIndices<D> nodes;   ///< of the targets; anew after nodes split
+  CornerVectors<D> place;   ///< where the targets' nodes were at the last search, m
+  CornerNumbers<D> depth;   ///< phi at the nodes, m
+  ChordNumbers<D> bubble;   ///< see point/contact_potential.hpp
   Kokkos::View<double * [D + 1][D], Rows, Memory> slope;
 };
 

@@ -31,8 +31,8 @@ struct SidesMeet {
     for (int q = 0; q < kFacePoints<D>; ++q) {
       Vec<D> g = Vec<D>::zero(), r = Vec<D>::zero();
       for (int k = 0; k < D; ++k) {
-        g += gap[k] * face_weight<D>(q, k);
-        r += rate[k] * face_weight<D>(q, k);
+        g += gap[k] * face_weight<D>(q, k, in.own_weight);
+        r += rate[k] * face_weight<D>(q, k, in.own_weight);
       }
       if (!(dot(g, normal) > norm(r) * time)) return true;
     }

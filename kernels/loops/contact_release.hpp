@@ -11,6 +11,7 @@ struct ReleasedFaces {
   ConstRanges elements;
   ConstConnectivity<D> element_nodes;
   std::uint8_t released = 2;
+  double own_weight = PointWeight<D>::gauss;  ///< of the contact points
 };
 
 /// known(face) = 1 where the surface has both sides of a released face.

@@ -22,7 +22,7 @@ struct Candidates {
     Vec<D> x = Vec<D>::zero();
     for (int k = 0; k < D; ++k)
       for (int d = 0; d < D; ++d)
-        x[d] += face_weight<D>(q, k) * surface.place(t, face_node<D>(f, k), d);
+        x[d] += face_weight<D>(q, k, surface.own_weight) * surface.place(t, face_node<D>(f, k), d);
     return x;
   }
 

@@ -113,7 +113,8 @@ class PressedLayers {
     for (Index a = 0; a < pairs.points; a += 97) {
       Vec<D> q = Vec<D>::zero();
       for (int k = 0; k < D; ++k)
-        q += row<D>(at, own(a, k)) * face_weight<D>(point[a] % kFacePoints<D>, k);
+        q += row<D>(at, own(a, k)) *
+             face_weight<D>(point[a] % kFacePoints<D>, k, surface.own_weight);
       Index near = 0;
       for (Index t = 0; t < surface.targets; ++t) {
         Vec<D> x[D + 1];

@@ -24,10 +24,12 @@ Mesh<2> random_block(Point<2> lower, Point<2> upper, Index nx, Index ny, std::ui
 }
 
 /// V-033: a block of width 1 pressed `overlap` into a wide one; h = 0.1.
-ContactWorld<2> flat_on_flat(std::uint64_t seed, double offset, double overlap, bool below) {
+ContactWorld<2> flat_on_flat(std::uint64_t seed, double offset, double overlap, bool below,
+                             bool corners = false) {
   ContactWorld<2> world(join<2>({random_block({offset, 0}, {1 + offset, 0.6}, 10, 6, seed),
                                  below ? random_block({-1, -0.6}, {2.2, 0}, 29, 5, seed + 1)
                                        : random_block({-1, 0.6}, {2.2, 1.2}, 29, 5, seed + 1)}));
+  if (corners) world.surface.own_weight = PointWeight<2>::corners;
   move_body(world, 0, {{0, below ? -overlap : overlap}});
   world.update_surface();
   world.search();
@@ -49,6 +51,38 @@ TEST(ContactForce, FlatOnFlatIsMeshIndependent) {
       // The other pass counts the wide block's points under the width: to the spacing of points.
       EXPECT_NEAR(-world.point_force(1)[1], expected, 0.07 * std::abs(expected));
     }
+}
+
+// Points at corners integrate what is linear as exactly. The lowest corners of the two sides, edges
+// of 0.1, enter as well: they add half an edge each.
+TEST(ContactForce, FlatOnFlatWithPointsAtCorners) {
+  const double overlap = 1e-4, expected = 0.5 * 1e9 * overlap * (1.0 + 2 * 0.05);
+  for (std::uint64_t seed = 1; seed < 5; ++seed) {
+    const ContactWorld<2> world = flat_on_flat(seed, 0.013 * seed, overlap, true, true);
+    EXPECT_NEAR(world.point_force(0)[1], expected, 1e-6 * expected);
+  }
+}
+
+/// A regular hexagon stands on its corner, so far below the floor's surface; its edges are 0.1 long.
+double corner_force(bool corners, double depth) {
+  ContactWorld<2> world(
+      join<2>({ring_disc({{0, 0.1 - depth}}, 0.1, 6, 2, std::numbers::pi / 6, "grain"),
+               block({-0.5, -0.2}, {0.5, 0}, 7, 2)}));
+  if (corners) world.surface.own_weight = PointWeight<2>::corners;
+  world.update_surface();
+  world.search();
+  world.force();
+  return world.point_force(0)[1] - world.point_force(1)[1];
+}
+
+// Gauss points lie a fifth of an edge away from the corner, here 0.0106 higher: a corner that enters
+// less deep is not seen. Points at corners see it from the first on: two edges' points of half an
+// edge each press with half the stiffness.
+TEST(ContactForce, PointsAtCornersSeeACornerAtOnce) {
+  EXPECT_EQ(corner_force(false, 0.01), 0);
+  EXPECT_GT(corner_force(false, 0.011), 0);
+  for (const double depth : {1e-5, 1e-3, 0.01})
+    EXPECT_NEAR(corner_force(true, depth), 0.5 * 1e9 * depth * 0.1, 1e-6 * 1e9 * depth * 0.1);
 }
 
 TEST(ContactForce, FlatOnFlatDoesNotFeelTheOffset) {

@@ -416,7 +416,8 @@ std::vector<std::pair<Index, Index>> brute_force(const ContactWorld<3>& world, d
     for (int q = 0; q < 3; ++q) {
       Vec<3> at = Vec<3>::zero();
       for (int k = 0; k < 3; ++k)
-        at += world.x[own[face_node<3>(face.face, k)]] * face_weight<3>(q, k);
+        at += world.x[own[face_node<3>(face.face, k)]] *
+              face_weight<3>(q, k, world.surface.own_weight);
       for (Index e = 0; e < world.mesh.elements(); ++e) {
         if (world.mesh.body[e] == world.mesh.body[face.element]) continue;
         Vec<3> x[4];

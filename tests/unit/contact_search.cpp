@@ -44,7 +44,8 @@ std::vector<std::pair<Index, Index>> brute_force(const ContactWorld<2>& world, d
     const auto& own = world.mesh.element[face.element];
     const Vec<2> a = world.x[own[(face.face + 1) % 3]], b = world.x[own[(face.face + 2) % 3]];
     for (int q = 0; q < 2; ++q) {
-      const Vec<2> at = a * face_weight<2>(q, 0) + b * face_weight<2>(q, 1);
+      const Vec<2> at = a * face_weight<2>(q, 0, world.surface.own_weight) +
+                        b * face_weight<2>(q, 1, world.surface.own_weight);
       for (Index e = 0; e < world.mesh.elements(); ++e) {
         if (world.mesh.body[e] == world.mesh.body[face.element]) continue;
         Vec<2> x[3];

@@ -19,6 +19,11 @@ double harmonic(double a, double b) {
   return 2 * a * b / (a + b);
 }
 
+ContactListKeys list_keys(const Settings& contact) {
+  return {contact.number("skin"), contact.text("force") == "distributed_potential",
+          contact.text("points") == "corners"};
+}
+
 }  // namespace
 
 template <int D>
@@ -78,7 +83,7 @@ void Contact<D>::read_tables(const Model<D>& model) {
 template <int D>
 void Contact<D>::bind(Model<D>& model) {
   read_tables(model);
-  lists_.prepare(model, model.scene->at("contact").number("skin"), distributed_);
+  lists_.prepare(model, list_keys(model.scene->at("contact")));
   lists_.start(model, rule_);
   // What overlaps at the start is stored from the start, not made.
   act(model, Clock{});
@@ -88,7 +93,7 @@ void Contact<D>::bind(Model<D>& model) {
 template <int D>
 void Contact<D>::resume(Model<D>& model) {
   read_tables(model);
-  lists_.prepare(model, model.scene->at("contact").number("skin"), distributed_);
+  lists_.prepare(model, list_keys(model.scene->at("contact")));
   lists_.resume(model, rule_);
 }
 

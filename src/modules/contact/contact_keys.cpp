@@ -81,6 +81,14 @@ void declare_contact_keys(Schema& schema) {
       .doc(
           "Where forces come from: points in the nodal depth, or, to compare, faces in the "
           "potential that each element has of its own.");
+  contact.choice("points", {"gauss", "corners"})
+      .by_default("gauss")
+      .doc(
+          "Where faces feel contact: at Gauss points, which see a corner that enters a face when "
+          "it "
+          "is a fifth of it deep, or at their corners, which see it at once; corners suit grains "
+          "of "
+          "few elements.");
   contact.choice("direction", {"smooth", "conservative"})
       .by_default("smooth")
       .doc(

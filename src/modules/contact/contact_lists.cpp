@@ -37,12 +37,13 @@ ContactHistory<D> ContactLists<D>::history(const Model<D>& model) {
 }
 
 template <int D>
-void ContactLists<D>::prepare(const Model<D>& model, double skin, bool by_parts) {
+void ContactLists<D>::prepare(const Model<D>& model, const ContactListKeys& keys) {
   list_free_facets(model);
   if (signals_.value.extent(0) == 0)
     signals_.value = Array<Index>("breccia::contact::signals", ContactSignals::count);
-  skin_share_ = skin;
-  by_parts_ = by_parts;
+  skin_share_ = keys.skin;
+  by_parts_ = keys.by_parts;
+  surface_.own_weight = keys.at_corners ? PointWeight<D>::corners : PointWeight<D>::gauss;
 }
 
 /// Free faces of the elements that stay, and their faces towards what is gone. What is being
@@ -142,6 +143,7 @@ ReleasedFaces<D> ContactLists<D>::faces(const Model<D>& model) const {
   in.elements = s.get<FaceElements>();
   in.element_nodes = s.get<ElementNodes<D>>();
   in.released = face_status::released;
+  in.own_weight = surface_.own_weight;
   return in;
 }
 
@@ -281,6 +283,7 @@ void ContactLists<D>::carry(Model<D>& model, bool released) {
     ContactHandover<D> in;
     in.old_facet = old_facet_;
     in.old_facets = old_facets_;
+    in.own_weight = surface_.own_weight;
     in.element_faces = s.get<ElementFaces<D>>();
     in.face_elements = s.get<FaceElements>();
     in.face_code = s.get<FaceCode>();

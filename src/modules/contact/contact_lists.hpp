@@ -9,6 +9,13 @@
 
 namespace breccia {
 
+/// What a scene says of the lists.
+struct ContactListKeys {
+  double skin;      ///< least reach of the search, over the mean size of elements at surfaces
+  bool by_parts;    ///< pairs of whole parts of faces, for the distributed potential
+  bool at_corners;  ///< contact points are the faces' nodes
+};
+
 /// Surface, targets and candidate pairs of a model, and when they are made anew (ALGORITHMS,
 /// at once when the sides of a released face meet, and before long while it is open;
 /// otherwise before any node has moved by half the skin since the last search. Nodes are looked at
@@ -16,9 +23,8 @@ namespace breccia {
 template <int D>
 class ContactLists {
  public:
-  /// Free faces of the mesh. `skin`: least reach of the search, over the mean size of elements
-  /// behind the surface. `by_parts`: pairs of whole parts of faces, not of points.
-  void prepare(const Model<D>& model, double skin, bool by_parts);
+  /// Free faces of the mesh.
+  void prepare(const Model<D>& model, const ContactListKeys& keys);
   /// First surface and search; no point remembers anything.
   void start(Model<D>& model, const ContactStiffness<D>& rule);
   /// After `archive` has read the lists: what follows from them.

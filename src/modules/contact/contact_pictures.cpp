@@ -24,7 +24,8 @@ std::vector<Touch> find_touches(const Model<D>& model, const ContactSurface<D>& 
         Touch touch{};
         for (int k = 0; k < D; ++k)
           for (int d = 0; d < D; ++d)
-            touch.place[d] += face_weight<D>(point % kFacePoints<D>, k) * x(pairs.nodes(a, k), d);
+            touch.place[d] += face_weight<D>(point % kFacePoints<D>, k, surface.own_weight) *
+                              x(pairs.nodes(a, k), d);
         touch.element = point / kFacePoints<D> / (D + 1);
         Index to = begin(a);
         for (Index p = pairs.pair_begin(a); p < pairs.pair_begin(a + 1); ++p) {
