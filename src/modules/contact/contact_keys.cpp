@@ -17,6 +17,28 @@ void check_contact_rules(const Settings& scene, Problems& problems) {
                               "write [\"a\", \"b\"], or [\"a\"] for a against itself"));
 }
 
+/// What forces are made of.
+void declare_force_keys(SectionBuilder& contact) {
+  contact.choice("force", {"smooth", "distributed_potential"})
+      .by_default("smooth")
+      .doc(
+          "Where forces come from: points in the nodal depth, or, to compare, faces in the "
+          "potential that each element has of its own.");
+  contact.choice("points", {"gauss", "corners"})
+      .by_default("gauss")
+      .doc(
+          "Where faces feel contact: at Gauss points, which see a corner that enters a face when "
+          "it "
+          "is a fifth of it deep, or at their corners, which see it at once; corners suit grains "
+          "of "
+          "few elements.");
+  contact.choice("direction", {"smooth", "conservative"})
+      .by_default("smooth")
+      .doc(
+          "Direction of the force: the smoothed gradient of the depth, or its exact gradient, "
+          "which turns between elements but keeps energy to round-off.");
+}
+
 void declare_pair_keys(Schema& schema) {
   SectionBuilder pair = schema.section("contact.pair[]");
   pair.doc("Friction between two materials, where it differs.");
@@ -76,24 +98,7 @@ void declare_contact_keys(Schema& schema) {
           "Least reach of the contact search over the harmonic mean of the elements at surfaces: a "
           "larger one searches less often and looks at more pairs. For fast bodies it widens "
           "itself, to 0.4 at most.");
-  contact.choice("force", {"smooth", "distributed_potential"})
-      .by_default("smooth")
-      .doc(
-          "Where forces come from: points in the nodal depth, or, to compare, faces in the "
-          "potential that each element has of its own.");
-  contact.choice("points", {"gauss", "corners"})
-      .by_default("gauss")
-      .doc(
-          "Where faces feel contact: at Gauss points, which see a corner that enters a face when "
-          "it "
-          "is a fifth of it deep, or at their corners, which see it at once; corners suit grains "
-          "of "
-          "few elements.");
-  contact.choice("direction", {"smooth", "conservative"})
-      .by_default("smooth")
-      .doc(
-          "Direction of the force: the smoothed gradient of the depth, or its exact gradient, "
-          "which turns between elements but keeps energy to round-off.");
+  declare_force_keys(contact);
   declare_pair_keys(schema);
   schema.check(check_contact_rules);
 }
