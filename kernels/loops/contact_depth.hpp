@@ -250,7 +250,7 @@ struct SmoothGradient {
       const Index corner = mesh.corner_list(k), e = corner / (D + 1);
       if (mesh.known(e)) gradient_at_corner<D>(mesh, bubble, depth, e, corner % (D + 1), share);
     }
-    const bool sharp = norm(share.sum) <= kSharp * share.weight;
+    const bool sharp = norm(share.sum) <= kSharp<D> * share.weight;
     set_row<D>(gradient, n, sharp ? Vec<D>::zero() : share.sum * (1 / share.weight));
   }
 };
