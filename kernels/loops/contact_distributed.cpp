@@ -125,47 +125,12 @@ struct DistributedForceLoop {
   }
 };
 
-template <int D>
-struct GatherDistributed {
-  ContactSurface<D> surface;
-  ContactPairs<D> pairs;
-  CornerForces<D> force;
-
-  KOKKOS_FUNCTION
-  void operator()(Index i) const {
-    const Index t = pairs.element(i);
-    Vec<D> sum[D + 1];
-    for (int a = 0; a <= D; ++a) sum[a] = Vec<D>::zero();
-    for (Index a = pairs.own_begin(t); a < pairs.own_begin(t + 1); ++a) {
-      const int f = (pairs.point(a) / kFacePoints<D>) % (D + 1);
-      for (Index p = pairs.pair_begin(a); p < pairs.pair_begin(a + 1); ++p)
-        for (int k = 0; k < D && pairs.hit(p) != 0; ++k)
-          sum[face_node<D>(f, k)] += row<D>(pairs.pair_force, p) * pairs.pair_own(p, k);
-    }
-    for (Index c = pairs.come_begin(t); c < pairs.come_begin(t + 1); ++c) {
-      const Index p = pairs.come(c);
-      for (int a = 0; a <= D && pairs.hit(p) != 0; ++a)
-        sum[a] -= row<D>(pairs.pair_force, p) * pairs.pair_weight(p, a);
-    }
-    const Index e = surface.target(t);
-    for (int a = 0; a <= D; ++a)
-      for (int d = 0; d < D; ++d) force(e, a, d) = sum[a][d];
-  }
-};
-
 }  // namespace
 
 template <int D>
 void contact_force_distributed(const ContactForceIn<D>& in, const ContactForceOut<D>& out) {
   for_each_summed<3>("breccia::contact::distributed", in.pairs.points, out.lost,
                      DistributedForceLoop<D>{in, out});
-}
-
-template <int D>
-void gather_contact_distributed(const ContactSurface<D>& surface, const ContactPairs<D>& pairs,
-                                const CornerForces<D>& force) {
-  for_each("breccia::contact::gather_distributed", pairs.elements,
-           GatherDistributed<D>{surface, pairs, force});
 }
 
 template <int D>
@@ -195,10 +160,6 @@ double contact_part_reach(const ContactSurface<D>& surface) {
 
 template void contact_force_distributed<2>(const ContactForceIn<2>&, const ContactForceOut<2>&);
 template void contact_force_distributed<3>(const ContactForceIn<3>&, const ContactForceOut<3>&);
-template void gather_contact_distributed<2>(const ContactSurface<2>&, const ContactPairs<2>&,
-                                            const CornerForces<2>&);
-template void gather_contact_distributed<3>(const ContactSurface<3>&, const ContactPairs<3>&,
-                                            const CornerForces<3>&);
 template double contact_part_reach<2>(const ContactSurface<2>&);
 template double contact_part_reach<3>(const ContactSurface<3>&);
 

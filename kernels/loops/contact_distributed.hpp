@@ -10,11 +10,6 @@ namespace breccia {
 template <int D>
 void contact_force_distributed(const ContactForceIn<D>& in, const ContactForceOut<D>& out);
 
-/// Sums them on the corners of the elements, as gather_contact does.
-template <int D>
-void gather_contact_distributed(const ContactSurface<D>& surface, const ContactPairs<D>& pairs,
-                                const CornerForces<D>& force);
-
 /// How far a part of a face reaches from its point at most, m.
 template <int D>
 double contact_part_reach(const ContactSurface<D>& surface);
@@ -23,10 +18,6 @@ extern template void contact_force_distributed<2>(const ContactForceIn<2>&,
                                                   const ContactForceOut<2>&);
 extern template void contact_force_distributed<3>(const ContactForceIn<3>&,
                                                   const ContactForceOut<3>&);
-extern template void gather_contact_distributed<2>(const ContactSurface<2>&, const ContactPairs<2>&,
-                                                   const CornerForces<2>&);
-extern template void gather_contact_distributed<3>(const ContactSurface<3>&, const ContactPairs<3>&,
-                                                   const CornerForces<3>&);
 extern template double contact_part_reach<2>(const ContactSurface<2>&);
 extern template double contact_part_reach<3>(const ContactSurface<3>&);
 

@@ -7,29 +7,44 @@ namespace breccia {
 
 namespace {
 
-/// Weight of a corner at a point of a face of its element; zero at the corner opposite.
+/// What a contact point hands to its own face's nodes: all of its force, by its weights.
 template <int D>
-KOKKOS_INLINE_FUNCTION
-void add_own(int f, int q, double own, const Vec<D>& force, Vec<D> (&sum)[D + 1]) {
-  for (int k = 0; k < D; ++k) sum[face_node<D>(f, k)] += force * face_weight<D>(q, k, own);
-}
+struct ByPoints {
+  double own_weight;
 
+  KOKKOS_FUNCTION
+  void add(const ContactPairs<D>& pairs, Index a, int f, Vec<D> (&sum)[D + 1]) const {
+    const int q = pairs.point(a) % kFacePoints<D>;
+    const Vec<D> force = row<D>(pairs.point_force, a);
+    for (int k = 0; k < D; ++k) sum[face_node<D>(f, k)] += force * face_weight<D>(q, k, own_weight);
+  }
+};
+
+/// The same for a part of a face: each pair has its own place on it.
 template <int D>
+struct ByParts {
+  KOKKOS_FUNCTION
+  void add(const ContactPairs<D>& pairs, Index a, int f, Vec<D> (&sum)[D + 1]) const {
+    for (Index p = pairs.pair_begin(a); p < pairs.pair_begin(a + 1); ++p)
+      for (int k = 0; k < D && pairs.hit(p) != 0; ++k)
+        sum[face_node<D>(f, k)] += row<D>(pairs.pair_force, p) * pairs.pair_own(p, k);
+  }
+};
+
+template <int D, class Own>
 struct GatherContact {
   ContactSurface<D> surface;
   ContactPairs<D> pairs;
   CornerForces<D> force;
+  Own own;
 
   KOKKOS_FUNCTION
   void operator()(Index i) const {
     const Index t = pairs.element(i);
     Vec<D> sum[D + 1];
     for (int a = 0; a <= D; ++a) sum[a] = Vec<D>::zero();
-    for (Index a = pairs.own_begin(t); a < pairs.own_begin(t + 1); ++a) {
-      const Index point = pairs.point(a);
-      const int f = (point / kFacePoints<D>) % (D + 1);
-      add_own<D>(f, point % kFacePoints<D>, surface.own_weight, row<D>(pairs.point_force, a), sum);
-    }
+    for (Index a = pairs.own_begin(t); a < pairs.own_begin(t + 1); ++a)
+      own.add(pairs, a, (pairs.point(a) / kFacePoints<D>) % (D + 1), sum);
     for (Index c = pairs.come_begin(t); c < pairs.come_begin(t + 1); ++c) {
       const Index p = pairs.come(c);
       if (pairs.hit(p) == 0) continue;
@@ -143,7 +158,15 @@ void element_stiffness(const LikelyContact<D>& likely, Index i) {
 template <int D>
 void gather_contact(const ContactSurface<D>& surface, const ContactPairs<D>& pairs,
                     const CornerForces<D>& force) {
-  for_each("breccia::contact::gather", pairs.elements, GatherContact<D>{surface, pairs, force});
+  for_each("breccia::contact::gather", pairs.elements,
+           GatherContact<D, ByPoints<D>>{surface, pairs, force, {surface.own_weight}});
+}
+
+template <int D>
+void gather_contact_distributed(const ContactSurface<D>& surface, const ContactPairs<D>& pairs,
+                                const CornerForces<D>& force) {
+  for_each("breccia::contact::gather_distributed", pairs.elements,
+           GatherContact<D, ByParts<D>>{surface, pairs, force, {}});
 }
 
 template <int D>
@@ -195,6 +218,10 @@ void add_contact_stiffness(const ContactStiffnessIn<D>& in, const Array<double>&
       });
 }
 
+template void gather_contact_distributed<2>(const ContactSurface<2>&, const ContactPairs<2>&,
+                                            const CornerForces<2>&);
+template void gather_contact_distributed<3>(const ContactSurface<3>&, const ContactPairs<3>&,
+                                            const CornerForces<3>&);
 template void gather_contact<2>(const ContactSurface<2>&, const ContactPairs<2>&,
                                 const CornerForces<2>&);
 template void gather_contact<3>(const ContactSurface<3>&, const ContactPairs<3>&,

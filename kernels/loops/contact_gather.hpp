@@ -11,6 +11,11 @@ template <int D>
 void gather_contact(const ContactSurface<D>& surface, const ContactPairs<D>& pairs,
                     const CornerForces<D>& force);
 
+/// The same of what contact_force_distributed leaves.
+template <int D>
+void gather_contact_distributed(const ContactSurface<D>& surface, const ContactPairs<D>& pairs,
+                                const CornerForces<D>& force);
+
 /// Sets `bit` of the flags of all nodes of the involved elements.
 template <int D>
 void flag_contact(const ContactSurface<D>& surface, const ContactPairs<D>& pairs,
@@ -55,6 +60,10 @@ extern template void gather_contact<2>(const ContactSurface<2>&, const ContactPa
                                        const CornerForces<2>&);
 extern template void gather_contact<3>(const ContactSurface<3>&, const ContactPairs<3>&,
                                        const CornerForces<3>&);
+extern template void gather_contact_distributed<2>(const ContactSurface<2>&, const ContactPairs<2>&,
+                                                   const CornerForces<2>&);
+extern template void gather_contact_distributed<3>(const ContactSurface<3>&, const ContactPairs<3>&,
+                                                   const CornerForces<3>&);
 extern template void flag_contact<2>(const ContactSurface<2>&, const ContactPairs<2>&,
                                      const ConstConnectivity<2>&, const Array<std::uint32_t>&,
                                      std::uint32_t);

@@ -197,35 +197,6 @@ void take_contact_places(const ConstVectors<D>& x, const ContactSurface<D>& surf
 }
 
 template <int D>
-ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
-                       const ContactSurface<D>& surface,
-                       const Kokkos::View<const Index, Memory>& rim) {
-  double way = 0, speed = 0;
-  Index deep = 0;
-  if (surface.targets == 0) return {};
-  count_launch();
-  Kokkos::parallel_reduce(
-      "breccia::contact::way",
-      Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, surface.targets),
-      KOKKOS_LAMBDA(Index t, double& most, double& fastest, Index& set) {
-        if (t == 0) set = rim();
-        for (int a = 0; a <= D; ++a) {
-          const Index n = surface.nodes(t, a);
-          double w = 0, s = 0;
-          for (int d = 0; d < D; ++d) {
-            const double u = x(n, d) - surface.place(t, a, d);
-            w += u * u;
-            s += v(n, d) * v(n, d);
-          }
-          most = w > most ? w : most;
-          fastest = s > fastest ? s : fastest;
-        }
-      },
-      Kokkos::Max<double>(way), Kokkos::Max<double>(speed), Kokkos::Max<Index>(deep));
-  return {Kokkos::sqrt(way), Kokkos::sqrt(speed), deep};
-}
-
-template <int D>
 void list_contact_nodes(const ContactSurface<D>& surface, Index nodes, ContactNodes<D>& list) {
   make_room(list.mark, nodes);
   make_room(list.place, nodes);
@@ -301,12 +272,6 @@ void finish_contact_pairs(const ContactSurface<D>& surface, ContactSearchScratch
 
 template void take_contact_places<2>(const ConstVectors<2>&, const ContactSurface<2>&);
 template void take_contact_places<3>(const ConstVectors<3>&, const ContactSurface<3>&);
-template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>&,
-                                   const ContactSurface<2>&,
-                                   const Kokkos::View<const Index, Memory>&);
-template ContactWay contact_way<3>(const ConstVectors<3>&, const ConstVectors<3>&,
-                                   const ContactSurface<3>&,
-                                   const Kokkos::View<const Index, Memory>&);
 template void list_contact_nodes<2>(const ContactSurface<2>&, Index, ContactNodes<2>&);
 template void list_contact_nodes<3>(const ContactSurface<3>&, Index, ContactNodes<3>&);
 template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>&,

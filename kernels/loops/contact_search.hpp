@@ -32,22 +32,17 @@ struct ContactSearchScratch {
 template <int D>
 void take_contact_places(const ConstVectors<D>& x, const ContactSurface<D>& surface);
 
+/// Lists the nodes of the targets and where they were at the last search; to be made anew after
+/// nodes split. `nodes`: of the whole model.
+template <int D>
+void list_contact_nodes(const ContactSurface<D>& surface, Index nodes, ContactNodes<D>& list);
+
 /// Largest way of a target's node since the last search, m, largest speed, m/s, and whether `rim`
 /// is set: all that the host wants to know, in one go.
 struct ContactWay {
   double way = 0, speed = 0;
   Index rim = 0;
 };
-template <int D>
-ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
-                       const ContactSurface<D>& surface,
-                       const Kokkos::View<const Index, Memory>& rim);
-
-/// Lists the nodes of the targets; `nodes`: of the whole model.
-template <int D>
-void list_contact_nodes(const ContactSurface<D>& surface, Index nodes, ContactNodes<D>& list);
-
-/// The same way from each node once instead of from each corner; until nodes split.
 template <int D>
 ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
                        const ContactNodes<D>& list, const Kokkos::View<const Index, Memory>& rim);
@@ -72,12 +67,6 @@ void finish_contact_pairs(const ContactSurface<D>& surface, ContactSearchScratch
 
 extern template void take_contact_places<2>(const ConstVectors<2>&, const ContactSurface<2>&);
 extern template void take_contact_places<3>(const ConstVectors<3>&, const ContactSurface<3>&);
-extern template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>&,
-                                          const ContactSurface<2>&,
-                                          const Kokkos::View<const Index, Memory>&);
-extern template ContactWay contact_way<3>(const ConstVectors<3>&, const ConstVectors<3>&,
-                                          const ContactSurface<3>&,
-                                          const Kokkos::View<const Index, Memory>&);
 extern template void list_contact_nodes<2>(const ContactSurface<2>&, Index, ContactNodes<2>&);
 extern template void list_contact_nodes<3>(const ContactSurface<3>&, Index, ContactNodes<3>&);
 extern template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>&,

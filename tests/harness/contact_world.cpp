@@ -1,6 +1,7 @@
 #include "harness/contact_world.hpp"
 
 #include "loops/contact_distributed.hpp"
+#include "loops/contact_gather.hpp"
 #include "loops/contact_release.hpp"
 #include "loops/list_tools.hpp"
 #include "mesh/whole_pieces.hpp"
@@ -224,17 +225,11 @@ std::vector<std::pair<Index, Index>> ContactWorld<D>::candidates() const {
 }
 
 template <int D>
-ContactWay ContactWorld<D>::way_of_nodes() const {
+ContactWay ContactWorld<D>::way() const {
   upload();
   ContactNodes<D> list;
   list_contact_nodes(surface, mesh.points(), list);
   return contact_way<D>(x_, v_, list, Kokkos::subview(signals_.value, ContactSignals::rim));
-}
-
-template <int D>
-ContactWay ContactWorld<D>::way() const {
-  upload();
-  return contact_way<D>(x_, v_, surface, Kokkos::subview(signals_.value, ContactSignals::rim));
 }
 
 template <int D>

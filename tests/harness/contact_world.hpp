@@ -48,7 +48,6 @@ class ContactWorld {
   /// (point id, element) of all candidates, sorted.
   std::vector<std::pair<Index, Index>> candidates() const;
   ContactWay way() const;
-  ContactWay way_of_nodes() const;
   std::vector<double> node_stiffness() const;
 
   ContactSurface<D> surface;

@@ -160,13 +160,12 @@ bool ContactLists<D>::pressed(Model<D>& model, const Clock& clock) {
 }
 
 template <int D>
-ContactWay ContactLists<D>::way(const Model<D>& model) const {
-  const ConstVectors<D> x = model.store.template get<NodePosition<D>>();
-  const ConstVectors<D> v = model.store.template get<NodeVelocity<D>>();
-  const auto rim = Kokkos::subview(signals_.value, ContactSignals::rim);
-  // Copies of nodes that split since the search are known by their corners only.
-  return model.splits == search_splits_ ? contact_way<D>(x, v, nodes_, rim)
-                                        : contact_way<D>(x, v, surface_, rim);
+ContactWay ContactLists<D>::way(const Model<D>& model) {
+  if (model.splits != listed_splits_) list_contact_nodes(surface_, model.nodes(), nodes_);
+  listed_splits_ = model.splits;
+  return contact_way<D>(model.store.template get<NodePosition<D>>(),
+                        model.store.template get<NodeVelocity<D>>(), nodes_,
+                        Kokkos::subview(signals_.value, ContactSignals::rim));
 }
 
 /// True when a node may have left its half of the skin.
@@ -254,8 +253,7 @@ void ContactLists<D>::make_pairs(Model<D>& model, const ContactStiffness<D>& rul
   take_contact_places<D>(model.store.template get<NodePosition<D>>(), surface_);
   const double reach = by_parts_ ? contact_part_reach(surface_) : 0;
   search_contacts(surface_, skin_ + reach, search_scratch_, pairs_);
-  list_contact_nodes(surface_, model.nodes(), nodes_);
-  search_splits_ = model.splits;
+  listed_splits_ = -1;
   attach(model, rule);
 }
 

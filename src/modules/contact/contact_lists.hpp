@@ -47,7 +47,7 @@ class ContactLists {
  private:
   ReleasedFaces<D> faces(const Model<D>& model) const;
   void list_free_facets(const Model<D>& model);
-  ContactWay way(const Model<D>& model) const;
+  ContactWay way(const Model<D>& model);
   bool pressed(Model<D>& model, const Clock& clock);
   bool far(Model<D>& model, const Clock& clock, const ContactWay& now);
   bool deepen();
@@ -59,7 +59,7 @@ class ContactLists {
   void carry(Model<D>& model, bool released);
 
   ContactSurface<D> surface_;
-  ContactNodes<D> nodes_;  ///< until nodes split
+  ContactNodes<D> nodes_;  ///< of the last search and split, see listed_splits_
   ContactPairs<D> pairs_;
   ContactPointData<D> point_;
   ContactSignals signals_;
@@ -75,7 +75,7 @@ class ContactLists {
   double skin_share_ = 0, skin_ = 0;
   double size_ = 0;   ///< mean size of elements behind the surface, m
   double chase_ = 0;  ///< way of the fastest node in kSearchSteps steps, at the last look, m
-  std::int64_t layers_ = 2, splits_ = 0, surface_splits_ = 0, search_splits_ = -1, releases_ = 0;
+  std::int64_t layers_ = 2, splits_ = 0, surface_splits_ = 0, listed_splits_ = -1, releases_ = 0;
   std::int64_t seen_releases_ = 0, patience_ = 0;  ///< last step in which open faces may wait
   std::int64_t last_look_ = 0, next_look_ = 0;
   std::int64_t version_ = 0;
