@@ -18,7 +18,8 @@ SOURCE = {
 }
 MODULE = BELOW_S3 | {"step", "point", "loops"}
 SCENE = MODULE | {"comm", "io", "modules"}
-ALLOWED = {**KERNEL, **SOURCE, "scene": SCENE, "app": SCENE | {"scene"}}
+STUDY = SCENE | {"scene"}
+ALLOWED = {**KERNEL, **SOURCE, "scene": SCENE, "study": STUDY, "app": STUDY | {"study"}}
 
 # Who may include what from outside: pattern of the header, pattern of the files that may.
 DOORS = [
@@ -32,7 +33,7 @@ DOORS = [
     (r"(unsupported/)?Eigen/", r"src/"),
     (r"(fmt|spdlog)/", r"src/"),
     (r"Kokkos_\w+\.hpp$", r"kernels/|src/"),
-    (r"(unistd|fcntl|signal|termios|dirent|fenv|poll)\.h$|sys/\w+\.h$", r"src/"),
+    (r"(unistd|fcntl|signal|spawn|termios|dirent|fenv|poll)\.h$|sys/\w+\.h$", r"src/"),
 ]
 STANDARD = re.compile(r"[a-z_0-9]+$")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)

@@ -5,6 +5,9 @@
 #include "core/log.hpp"
 #include "core/schema.hpp"
 #include "scene/commands.hpp"
+#include "study/process.hpp"
+#include "study/solutions.hpp"
+#include "study/study.hpp"
 
 #include <Kokkos_Core.hpp>
 
@@ -29,8 +32,11 @@ struct Arguments {
   std::optional<std::filesystem::path> output;
   std::vector<std::string> options;
   std::string key;
-  int threads = 0;  ///< 0: all that the machine or OMP_NUM_THREADS offers
+  std::string program;  ///< as it was called
+  int threads = 0;      ///< 0: all that the machine or OMP_NUM_THREADS offers; one for a study
+  int repeats = 0, jobs = 1;
   bool overwrite = false, restart = false, quiet = false, markdown = false;
+  bool list = false, solutions = false;
 };
 
 int with_kokkos(const Arguments& arguments, const std::function<int()>& work) {
@@ -81,9 +87,30 @@ int mesh(const Arguments& a) {
   return with_kokkos(a, [&a] { return mesh_scene({a.scene, a.options, a.mesh_file}); });
 }
 
+int study(const Arguments& a) {
+  if (a.solutions) {
+    std::cout << solutions_text();
+    return 0;
+  }
+  if (a.scene.empty()) throw Error("command line", "SCENE is required", "see breccia study --help");
+  log::set_quiet(a.quiet);
+  StudyRequest request;
+  request.scene = a.scene;
+  request.options = a.options;
+  request.output = a.output;
+  request.program = own_program(a.program);
+  request.threads = a.threads > 0 ? a.threads : 1;
+  request.repeats = a.repeats;
+  request.jobs = a.jobs;
+  request.list = a.list;
+  request.quiet = a.quiet;
+  return study_scene(request);
+}
+
 /// Options that take one value each, so that a scene may follow them.
 void add_common(CLI::App& verb, Arguments& a) {
-  verb.add_option("SCENE", a.scene, "scene file, or folder with a scene.toml")->required();
+  verb.add_option("SCENE", a.scene, "scene file, or folder with a scene.toml")
+      ->required(verb.get_name() != "study");  // which may only list its solutions
   verb.add_option("--set", a.options, "replace a value of the scene, key.path=value (repeatable)")
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE");
@@ -103,11 +130,30 @@ void declare_run_verb(CLI::App& app, Arguments& a, std::function<int(const Argum
   verb->callback([&chosen] { chosen = run; });
 }
 
+void declare_study_verb(CLI::App& app, Arguments& a, std::function<int(const Arguments&)>& chosen) {
+  CLI::App* verb = app.add_subcommand("study", "run the ladders of [study]; what accuracy costs");
+  add_common(*verb, a);
+  verb->add_option("--output", a.output, "folder for the study (default: <scene name>.study)")
+      ->type_name("DIR");
+  verb->add_option("--repeats", a.repeats, "runs of each job, for the spread of its time")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  verb->add_option("--jobs", a.jobs, "jobs side by side (1: times can be compared)")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  verb->add_flag("--list", a.list, "say which jobs would run; run none");
+  verb->add_flag("--solutions", a.solutions, "the closed forms that a study may name");
+  verb->add_flag("--quiet", a.quiet, "print warnings and errors only");
+  verb->callback([&chosen] { chosen = study; });
+}
+
 void declare_verbs(CLI::App& app, Arguments& a, std::function<int(const Arguments&)>& chosen) {
   declare_run_verb(app, a, chosen);
   CLI::App* check_verb = app.add_subcommand("check", "say what a scene would do; run nothing");
   add_common(*check_verb, a);
   check_verb->callback([&chosen] { chosen = check; });
+
+  declare_study_verb(app, a, chosen);
 
   CLI::App* help_verb = app.add_subcommand("help", "explain a key of the scene, or list them");
   help_verb->add_option("KEY", a.key, "for example run.duration or material");
@@ -168,6 +214,7 @@ int run_command_line(int argc, char** argv, const World& world) {
   app.require_subcommand(1);
   app.set_version_flag("--version", version_line());
   Arguments arguments;
+  arguments.program = argv[0];
   std::function<int(const Arguments&)> chosen;
   declare_verbs(app, arguments, chosen);
   try {

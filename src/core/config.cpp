@@ -9,35 +9,6 @@ namespace breccia {
 
 namespace {
 
-/// Parts of a dotted path; quoted parts may hold dots and blanks.
-std::vector<std::string> path_parts(std::string_view path) {
-  std::vector<std::string> parts(1);
-  char quote = 0;
-  for (const char c : path) {
-    if (quote != 0) {
-      if (c == quote) {
-        quote = 0;
-      } else {
-        parts.back() += c;
-      }
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-    } else if (c == '.') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  for (auto& part : parts) {
-    part = trimmed(part);
-    if (part.empty() || quote != 0) {
-      throw Error("--set", "'" + std::string(path) + "' is not a path of keys",
-                  "write section.key=value, for example run.duration=2ms");
-    }
-  }
-  return parts;
-}
-
 std::vector<std::string> element_names(const Config::Array& list) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -66,6 +37,34 @@ Config& list_element(Config::Array& list, const std::string& word, const std::st
 
 }  // namespace
 
+std::vector<std::string> key_path(std::string_view path) {
+  std::vector<std::string> parts(1);
+  char quote = 0;
+  for (const char c : path) {
+    if (quote != 0) {
+      if (c == quote) {
+        quote = 0;
+      } else {
+        parts.back() += c;
+      }
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '.') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  for (auto& part : parts) {
+    part = trimmed(part);
+    if (part.empty() || quote != 0) {
+      throw Error("--set", "'" + std::string(path) + "' is not a path of keys",
+                  "write section.key=value, for example run.duration=2ms");
+    }
+  }
+  return parts;
+}
+
 const Config* Config::find(std::string_view key) const {
   if (!is(Kind::table)) return nullptr;
   for (const auto& entry : table()) {
@@ -79,7 +78,7 @@ Config* Config::find(std::string_view key) {
 }
 
 void Config::set(std::string_view path, Config value) {
-  const auto parts = path_parts(path);
+  const auto parts = key_path(path);
   Config* here = this;
   std::string walked;
   for (const auto& part : parts) {
@@ -116,6 +115,28 @@ std::string Config::describe() const {
       return "a table";
   }
   throw std::logic_error("a Config of no kind");
+}
+
+std::string Config::written() const {
+  switch (kind()) {
+    case Kind::boolean:
+      return boolean() ? "true" : "false";
+    case Kind::integer:
+      return std::to_string(integer());
+    case Kind::real:
+      return number_text(real());
+    case Kind::text:
+      return "\"" + text() + "\"";
+    default:
+      break;
+  }
+  std::vector<std::string> parts;
+  if (is(Kind::array)) {
+    for (const auto& element : array()) parts.push_back(element.written());
+    return "[" + join(parts) + "]";
+  }
+  for (const auto& [name, value] : table()) parts.push_back(name + " = " + value.written());
+  return "{ " + join(parts) + " }";
 }
 
 }  // namespace breccia

@@ -51,6 +51,9 @@ class Config {
   /// \throws Error (place "--set") when the path meets a value, or a list element is not there.
   void set(std::string_view path, Config value);
 
+  /// The value as it stands in a scene: `"2 mm"`, `3`, `[1, 2]`, `{ young = 3 }`.
+  [[nodiscard]] std::string written() const;
+
   /// "a list", "the text "x"", "the number 3": for messages.
   [[nodiscard]] std::string describe() const;
 
@@ -58,5 +61,9 @@ class Config {
   std::variant<bool, std::int64_t, double, std::string, Array, Table> value_;
   Place place_;
 };
+
+/// Parts of a dotted path of keys; quoted parts may hold dots and blanks.
+/// \throws Error (place "--set") when a part is empty or a quote is open.
+std::vector<std::string> key_path(std::string_view path);
 
 }  // namespace breccia

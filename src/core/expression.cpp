@@ -268,6 +268,12 @@ double Expression::evaluate(const Quantities& quantities) const {
   return result.scalar;
 }
 
+std::vector<double> Expression::series(const Quantities& quantities) const {
+  ExpressionValue result = evaluated(*root_, quantities, text_);
+  if (result.is_series) return std::move(result.series);
+  throw Error("", "\"" + text_ + "\" is a number, not a series", "name a column of history.csv");
+}
+
 std::vector<std::string> Expression::names() const {
   std::vector<std::string> names;
   collect(*root_, names);

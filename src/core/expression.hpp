@@ -47,6 +47,9 @@ class Expression {
   /// \throws Error when a name is unknown (nearest named), the result is a series or not finite.
   [[nodiscard]] double evaluate(const Quantities& quantities) const;
 
+  /// The same where a series is wanted. \throws Error when the result is a number.
+  [[nodiscard]] std::vector<double> series(const Quantities& quantities) const;
+
   /// Dotted names that the formula asks for, each once, in order.
   [[nodiscard]] std::vector<std::string> names() const;
   [[nodiscard]] const std::string& text() const { return text_; }

@@ -43,6 +43,10 @@ class Reader {
         return integers(raw);
       case KeyType::texts:
         return texts(raw);
+      case KeyType::values:
+        return values(raw);
+      case KeyType::pairs:
+        return pairs(raw);
       case KeyType::table:
         return table(raw);
       case KeyType::points:
@@ -223,6 +227,28 @@ class Reader {
       if (!seen.insert(words.back()).second) {
         fail(element, "\"" + words.back() + "\" is named twice");
       }
+    }
+    return words;
+  }
+
+  /// As --set takes them: a text without its quotes, so that the resolved scene reads the same.
+  std::vector<std::string> values(const Config& raw) const {
+    std::vector<std::string> words;
+    for (const auto& element : list(raw, 0)) {
+      words.push_back(element.is(Kind::text) ? text(element) : element.written());
+    }
+    return words;
+  }
+
+  std::vector<std::string> pairs(const Config& raw) const {
+    if (raw.is(Kind::array)) return texts(raw);  // as the resolved scene has them
+    if (!raw.is(Kind::table)) wrong_kind(raw, "{ name = quantity, ... }");
+    std::vector<std::string> words;
+    for (const auto& [name, value] : raw.table()) {
+      if (value.is(Kind::array) || value.is(Kind::table) || value.is(Kind::boolean)) {
+        fail(value, name + " expects a number or a quantity in quotes, not " + value.describe());
+      }
+      words.push_back(name + " = " + (value.is(Kind::text) ? text(value) : value.written()));
     }
     return words;
   }

@@ -47,24 +47,6 @@ std::string limit_text(double value, Dimension dimension) {
   return number_text(value) + (si == "1" ? "" : " " + si);
 }
 
-std::string as_written(const Config& value) {
-  switch (value.kind()) {
-    case Config::Kind::boolean:
-      return value.boolean() ? "true" : "false";
-    case Config::Kind::integer:
-      return std::to_string(value.integer());
-    case Config::Kind::real:
-      return number_text(value.real());
-    case Config::Kind::text:
-      return "\"" + value.text() + "\"";
-    default:
-      break;
-  }
-  std::vector<std::string> parts;
-  for (const auto& element : value.array()) parts.push_back(as_written(element));
-  return "[" + join(parts) + "]";
-}
-
 }  // namespace
 
 bool Range::admits(double value) const {
@@ -111,6 +93,10 @@ std::string Key::kind_text() const {
       return "list of integers";
     case KeyType::texts:
       return "list of texts";
+    case KeyType::values:
+      return "list of values";
+    case KeyType::pairs:
+      return "{ name = quantity, ... }";
     case KeyType::table:
       return "rows [" + dimension_name(first_dimension) + ", " + what + "]";
     case KeyType::points:
@@ -127,7 +113,7 @@ std::string Key::unit_text() const {
 }
 
 std::string Key::example_text() const {
-  if (example.empty()) return default_value ? name + " = " + as_written(*default_value) : "";
+  if (example.empty()) return default_value ? name + " = " + default_value->written() : "";
   const bool list = std::string_view("[{\"").find(example.front()) != std::string_view::npos;
   if (list || type == KeyType::flag) return name + " = " + example;
   const bool plain = example.find_first_not_of("0123456789.e+-") == std::string::npos;
@@ -135,7 +121,7 @@ std::string Key::example_text() const {
 }
 
 std::string Key::default_text() const {
-  return default_value ? as_written(*default_value) : "";
+  return default_value ? default_value->written() : "";
 }
 
 const Key* Section::key(std::string_view name) const {

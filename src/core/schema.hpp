@@ -29,6 +29,8 @@ enum class KeyType {
   numbers,   ///< list of quantities of any length [vector]
   integers,  ///< list of integers [integers]
   texts,     ///< list of words [texts]
+  values,    ///< list of anything a key may hold, each as --set takes it [texts]
+  pairs,     ///< inline table of names with quantities, each as "name = value" [texts]
   table,     ///< rows [a, b] of two dimensions, the first one increasing [points]
   points,    ///< list of positions [points]
   lines      ///< list of lists of positions [lines]
@@ -147,6 +149,8 @@ class SectionBuilder {
   KeyBuilder numbers(std::string name, Dimension dimension);
   KeyBuilder integers(std::string name);
   KeyBuilder texts(std::string name);
+  KeyBuilder values(std::string name);
+  KeyBuilder pairs(std::string name);
   KeyBuilder table(std::string name, Dimension first, Dimension second);
   KeyBuilder points(std::string name, Dimension dimension);
   KeyBuilder lines(std::string name, Dimension dimension);

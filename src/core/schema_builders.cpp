@@ -165,6 +165,12 @@ KeyBuilder SectionBuilder::integers(std::string name) {
 KeyBuilder SectionBuilder::texts(std::string name) {
   return add(std::move(name), KeyType::texts, unit::none);
 }
+KeyBuilder SectionBuilder::values(std::string name) {
+  return add(std::move(name), KeyType::values, unit::none);
+}
+KeyBuilder SectionBuilder::pairs(std::string name) {
+  return add(std::move(name), KeyType::pairs, unit::none);
+}
 KeyBuilder SectionBuilder::points(std::string name, Dimension dimension) {
   return add(std::move(name), KeyType::points, dimension);
 }

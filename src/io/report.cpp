@@ -55,6 +55,12 @@ void put_effects(JsonWriter& json, const Report& r) {
   json.end_object();
 }
 
+void put_numbers(JsonWriter& json, const Report& r) {
+  json.key("numbers").begin_object();
+  for (const auto& [name, value] : r.numbers) json.member(name, value);
+  json.end_object();
+}
+
 void put_checks(JsonWriter& json, const Report& r) {
   json.key("checks").begin_array();
   for (const Report::Check& check : r.checks) {
@@ -78,6 +84,7 @@ std::string report_json(const Report& report) {
   put_counts(json, report);
   put_ledger(json, report);
   put_effects(json, report);
+  put_numbers(json, report);
   put_checks(json, report);
   json.member("peak_memory_bytes", report.peak_memory_bytes)
       .member("state_hash", report.state_hash);

@@ -64,7 +64,9 @@ class Run {
     close();
     const double wall = wall_before_ + seconds_since(start);
     Report report = make_report(simulation_, *recorder_, {status_, reason_, wall});
-    report.checks = judge(scene_, results(report));
+    const Results results = this->results(report);
+    report.numbers = results.numbers;
+    report.checks = judge(scene_, results);
     write_report(report, folder_->report());
     if (!request_.quiet) print_report(report, std::cout);
     if (status_ != "complete") {

@@ -128,11 +128,13 @@ void declare_general_keys(Schema& schema) {
   declare_sensors(schema);
   declare_output(schema);
   declare_checks(schema);
+  declare_study_keys(schema);
   schema.check(check_run_rules);
   schema.check(check_body_rules);
   schema.check(check_fracture_rules);
   schema.check(check_load_rules);
   schema.check(check_material_rules);
+  schema.check(check_study_rules);
 }
 
 }  // namespace breccia

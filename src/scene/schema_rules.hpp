@@ -15,6 +15,9 @@ void declare_material_keys(Schema& schema);
 /// The keys of what acts on bodies: [gravity], [[boundary]], [[initial_stress]].
 void declare_load_keys(Schema& schema);
 
+/// The keys of [study].
+void declare_study_keys(Schema& schema);
+
 /// A vector that is to be a direction must not be zero.
 void check_direction(const Settings& section, const char* key, Problems& problems);
 
@@ -24,5 +27,6 @@ void check_body_rules(const Settings& scene, Problems& problems);
 void check_fracture_rules(const Settings& scene, Problems& problems);
 void check_load_rules(const Settings& scene, Problems& problems);
 void check_material_rules(const Settings& scene, Problems& problems);
+void check_study_rules(const Settings& scene, Problems& problems);
 
 }  // namespace breccia

@@ -10,24 +10,6 @@ namespace breccia {
 
 namespace {
 
-Quantities quantities_of(const Results& results) {
-  Quantities q;
-  for (const auto& row : results.rows) q.time.push_back(row.front());
-  q.names = results.columns;
-  for (const auto& [name, value] : results.numbers) q.names.push_back(name);
-  q.find = [&results](const std::string& name) -> std::optional<ExpressionValue> {
-    for (const auto& [known, value] : results.numbers)
-      if (known == name) return ExpressionValue(value);
-    const auto column = std::find(results.columns.begin(), results.columns.end(), name);
-    if (column == results.columns.end()) return std::nullopt;
-    const auto at = static_cast<std::size_t>(column - results.columns.begin());
-    std::vector<double> series;
-    for (const auto& row : results.rows) series.push_back(row[at]);
-    return ExpressionValue(std::move(series));
-  };
-  return q;
-}
-
 /// "10 %" is a share of the reference, anything else is in the unit of the value.
 bool is_share(const std::string& tolerance) {
   const std::string text = trimmed(tolerance);
@@ -70,6 +52,24 @@ void check_share(const Settings& check, Problems& problems) {
 }
 
 }  // namespace
+
+Quantities quantities_of(const Results& results) {
+  Quantities q;
+  for (const auto& row : results.rows) q.time.push_back(row.front());
+  q.names = results.columns;
+  for (const auto& [name, value] : results.numbers) q.names.push_back(name);
+  q.find = [&results](const std::string& name) -> std::optional<ExpressionValue> {
+    for (const auto& [known, value] : results.numbers)
+      if (known == name) return ExpressionValue(value);
+    const auto column = std::find(results.columns.begin(), results.columns.end(), name);
+    if (column == results.columns.end()) return std::nullopt;
+    const auto at = static_cast<std::size_t>(column - results.columns.begin());
+    std::vector<double> series;
+    for (const auto& row : results.rows) series.push_back(row[at]);
+    return ExpressionValue(std::move(series));
+  };
+  return q;
+}
 
 Numbers result_numbers(const Report& report, const MainCrack& crack) {
   return {{"steps", static_cast<double>(report.steps)},

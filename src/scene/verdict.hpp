@@ -1,4 +1,5 @@
 #pragma once
+#include "core/expression.hpp"
 #include "core/settings.hpp"
 #include "io/report.hpp"
 #include "scene/main_crack.hpp"
@@ -16,6 +17,9 @@ struct Results {
   std::vector<std::vector<double>> rows;
   Numbers numbers;  ///< "fragments", "crack.angle", ...
 };
+
+/// Results as the names of a formula. The results must live as long.
+Quantities quantities_of(const Results& results);
 
 /// Results of a run that are one number each.
 Numbers result_numbers(const Report& report, const MainCrack& crack);

@@ -3,7 +3,7 @@ import argparse
 import pathlib
 import sys
 
-from . import sheets, style
+from . import sheets, study, style
 from .run_folder import RunFolder
 from .trouble import Trouble
 
@@ -11,10 +11,11 @@ from .trouble import Trouble
 def arguments(words):
     parser = argparse.ArgumentParser(
         prog="plot",
-        description="Draws a run: frames with cracks, histories, the energy ledger and a summary, as PNG.",
+        description="Draws a run: frames with cracks, histories, the energy ledger and a summary, as PNG. Of a folder of "
+        "`breccia study`: error against seconds and element-steps, as study.png.",
         epilog="Ends with status 2 and a message where there is nothing to draw.",
     )
-    parser.add_argument("folder", metavar="RUN_FOLDER", help="folder that `breccia run` wrote")
+    parser.add_argument("folder", metavar="RUN_FOLDER", help="folder that `breccia run` or `breccia study` wrote")
     parser.add_argument("--frame", default="last", metavar="N|last|all", help="frames to draw (default: last)")
     parser.add_argument(
         "--field", metavar="NAME",
@@ -34,6 +35,11 @@ def arguments(words):
 
 
 def draw(options):
+    path = pathlib.Path(options.folder)
+    found = study.read(path)
+    if found is not None:
+        study.draw(found, (pathlib.Path(options.output) if options.output else path) / "study.png")
+        return
     run = RunFolder(options.folder, options.without)
     output = pathlib.Path(options.output) if options.output else run.path / "pictures"
     if len(next(iter(run.history.values()), [])) > 1 and "time" in run.history:

@@ -1,0 +1,276 @@
+#include "study/plan.hpp"
+
+#include "core/build_info.hpp"
+#include "core/expression.hpp"
+#include "core/text.hpp"
+#include "io/digest.hpp"
+#include "io/number_table.hpp"
+#include "io/scene_reader.hpp"
+#include "scene/commands.hpp"
+#include "study/knobs.hpp"
+#include "study/ladder.hpp"
+#include "study/solutions.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace breccia {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Options = std::vector<std::string>;
+
+bool about_study(const std::string& option) {
+  return trimmed(option).rfind("study.", 0) == 0;
+}
+
+Config without_study(Config scene) {
+  Config::Table& table = scene.table();
+  std::erase_if(table, [](const Config::Entry& entry) { return entry.first == "study"; });
+  return scene;
+}
+
+/// The scene with its [study], which may stand in a file of its own.
+class Source {
+ public:
+  explicit Source(const StudyRequest& request) {
+    file_ = find_scene_file(request.scene);
+    Options about, others;
+    for (const std::string& option : request.options)
+      (about_study(option) ? about : others).push_back(option);
+    const Config own = read_scene(file_, about);
+    const Config* study = own.find("study");
+    if (study == nullptr) {
+      throw Error(file_.string(), "the scene has no [study]",
+                  "add [study] with a [[study.knob]] and a [[study.quantity]]; docs/study.md");
+    }
+    study_ = *study;
+    scene_ = file_;
+    if (const Config* named = study->find("scene"); named != nullptr) refer(own, *named);
+    add_set(*study);
+    shared_.insert(shared_.end(), others.begin(), others.end());
+  }
+
+  /// With the options of a job; without [study].
+  [[nodiscard]] Config read(const Options& options) const {
+    Options all = shared_;
+    all.insert(all.end(), options.begin(), options.end());
+    return without_study(read_scene(scene_, all));
+  }
+
+  /// With [study], to be resolved once.
+  [[nodiscard]] Config whole() const {
+    Config scene = read({});
+    scene.table().emplace_back("study", study_);
+    return scene;
+  }
+
+  [[nodiscard]] const fs::path& scene() const { return scene_; }
+  [[nodiscard]] const fs::path& file() const { return file_; }
+  [[nodiscard]] const Options& shared() const { return shared_; }
+
+ private:
+  void refer(const Config& own, const Config& named) {
+    if (!named.is(Config::Kind::text)) return;  // the schema says what is wrong
+    for (const auto& [key, value] : own.table()) {
+      if (key == "study" || key == "title") continue;
+      throw Error(value.place().text(),
+                  key + ": study.scene names another file, so this one holds [study] alone",
+                  "put the change into study.set, or leave study.scene out");
+    }
+    scene_ = find_scene_file(file_.parent_path() / named.text());
+    Config* quantities = study_.find("quantity");
+    if (quantities == nullptr || !quantities->is(Config::Kind::array)) return;
+    for (Config& quantity : quantities->array()) {
+      Config* table = quantity.find("table");
+      if (table == nullptr || !table->is(Config::Kind::text)) continue;
+      const fs::path beside = fs::absolute(file_).parent_path() / table->text();
+      *table = Config(beside.lexically_normal().string(), table->place());
+    }
+  }
+
+  /// Whether `set` is a list of texts is for the schema to say.
+  void add_set(const Config& study) {
+    const Config* set = study.find("set");
+    if (set == nullptr || !set->is(Config::Kind::array)) return;
+    for (const Config& option : set->array())
+      if (option.is(Config::Kind::text)) shared_.push_back(option.text());
+  }
+
+  fs::path file_, scene_;
+  Config study_;
+  Options shared_;
+};
+
+Knob read_knob(const Settings& section, const Config& scene) {
+  Knob knob;
+  const char* key = section.has("keys") ? "keys" : "key";
+  const auto keys = section.has("keys") ? section.texts("keys") : Options{section.text("key")};
+  try {
+    for (const std::string& path : keys) {
+      const auto found = knob_paths(path, scene);
+      knob.paths.insert(knob.paths.end(), found.begin(), found.end());
+    }
+  } catch (const Error& e) {
+    throw section.error(key, e.cause(), e.remedy());
+  }
+  const std::string& first = keys.front();
+  knob.name = first.find('.') == std::string::npos ? first : key_path(first).back();
+  knob.rungs = section.texts("values");
+  std::vector<double> numbers;
+  for (const std::string& rung : knob.rungs) numbers.push_back(rung_number(rung));
+  knob.sizes = falling_sizes(numbers);
+  return knob;
+}
+
+Curve read_curve(const Settings& section) {
+  const NumberTable table = read_number_table(section.text("table"));
+  Curve curve;
+  for (const auto& row : table.rows) {
+    if (row.size() != 2) throw section.error("table", "the table has not two columns");
+    if (!curve.x.empty() && !(row[0] > curve.x.back()))
+      throw section.error("table", "its first column does not grow at " + number_text(row[0]));
+    curve.x.push_back(row[0]);
+    curve.y.push_back(row[1]);
+  }
+  if (curve.x.size() < 2) throw section.error("table", "a curve has at least two points");
+  return curve;
+}
+
+void read_reference(const Settings& section, Judged& judged) {
+  if (section.has("solution")) {
+    const Options none;
+    try {
+      judged.reference =
+          number_text(solve(section.text("solution"),
+                            section.has("parameters") ? section.texts("parameters") : none));
+    } catch (const Error& e) {
+      throw section.error("solution", e.cause(), e.remedy());
+    }
+    for (const Solution& s : solutions())
+      if (s.name == section.text("solution") && judged.source.empty()) judged.source = s.source;
+  } else if (section.has("table")) {
+    judged.against = Judged::Against::curve;
+    judged.table = read_curve(section);
+    judged.curve_x = section.text_or("against", "time");
+  } else if (section.has("reference")) {
+    judged.reference = section.text("reference");
+  }
+  if (judged.reference == "finest") judged.against = Judged::Against::finest;
+}
+
+/// A reference without names of results must have a value now.
+void check_reference(const Settings& section, const Judged& judged) {
+  const bool formula = judged.against == Judged::Against::value;
+  if (!formula || !Expression(judged.reference).names().empty()) return;
+  const char* key = section.has("reference") ? "reference"
+                    : section.has("check")   ? "check"
+                                             : "solution";
+  double value = 0;
+  try {
+    value = Expression(judged.reference).evaluate({});
+  } catch (const Error& e) {
+    throw section.error(key, "the reference cannot be evaluated: " + e.cause(), e.remedy());
+  }
+  if (value == 0 && judged.scale.empty()) {
+    throw section.error(key, "the reference is 0, of which an error cannot be a share",
+                        "add scale, a size that errors are measured by");
+  }
+}
+
+Judged read_quantity(const Settings& section, const Settings& scene) {
+  Judged judged;
+  judged.scale = section.text_or("scale", "");
+  judged.source = section.text_or("source", "");
+  if (section.has("check")) {
+    const Settings& check = *scene.find("check", section.text("check"));
+    judged.check = check.text("name");
+    judged.value = check.text("value");
+    judged.reference = check.text("reference");
+    judged.source = judged.source.empty() ? check.text_or("source", "") : judged.source;
+  } else {
+    judged.value = section.text(section.has("curve") ? "curve" : "value");
+  }
+  judged.name = section.text_or("name", judged.check.empty() ? judged.value : judged.check);
+  read_reference(section, judged);
+  check_reference(section, judged);
+  return judged;
+}
+
+/// Files that a scene names count as what is in them.
+void add_files(const Settings& section, std::string& text) {
+  for (const Settings::Value& v : section.values()) {
+    const auto* word = std::get_if<std::string>(&v.value);
+    std::error_code trouble;
+    if (word == nullptr || !fs::path(*word).is_absolute() || !fs::is_regular_file(*word, trouble))
+      continue;
+    std::ifstream file(*word, std::ios::binary);
+    std::ostringstream content;
+    content << file.rdbuf();
+    text += fingerprint(content.str());
+  }
+  for (const Settings::Group& group : section.groups())
+    for (const Settings& member : group.members) add_files(member, text);
+}
+
+std::string identity_of(const Settings& scene, int threads) {
+  std::ostringstream resolved;
+  scene.write_resolved(resolved);
+  const BuildInfo& build = build_info();
+  std::string text = resolved.str() + std::to_string(threads);
+  text.append(build.version).append(build.commit).append(build.build_type).append(build.compiler);
+  add_files(scene, text);
+  return fingerprint(text);
+}
+
+/// Resolves a job; what is wrong with it is told at the place of its knobs.
+void settle(Job& job, const Study& study, const Source& source, const Schema& schema,
+            const Settings& section) {
+  try {
+    job.identity = identity_of(schema.resolve(source.read(job.options)), study.threads);
+  } catch (const Error& e) {
+    throw Error(section.place(),
+                "study: the job '" + job.label + "' is no right scene: " + e.cause(), e.remedy());
+  }
+}
+
+void read_options(const Settings& section, const StudyRequest& request, Study& study) {
+  study.program = request.program;
+  study.threads = request.threads;
+  study.side_by_side = request.jobs;
+  study.repeats =
+      request.repeats > 0 ? request.repeats : static_cast<int>(section.integer("repeats"));
+  study.by_processor = section.text("cost") == "processor";
+  study.time_limit = section.maybe_number("time_limit");
+}
+
+}  // namespace
+
+Study plan_study(const StudyRequest& request) {
+  const Source source(request);
+  Schema schema;
+  declare_schema(schema);
+  const Settings scene = schema.resolve(source.whole());
+  const Settings& section = scene.at("study");
+  Study study;
+  read_options(section, request, study);
+  study.title = scene.text_or("title", "");
+  const fs::path& file = source.file();
+  study.name = file.stem() == "scene" ? fs::absolute(file).parent_path().filename() : file.stem();
+  study.scene = source.scene();
+  study.output = request.output ? *request.output : fs::path(study.name + ".study");
+  const Config base = source.read({});
+  for (const Settings& knob : section.list("knob")) study.knobs.push_back(read_knob(knob, base));
+  for (const Settings& quantity : section.list("quantity"))
+    study.quantities.push_back(read_quantity(quantity, scene));
+  study.jobs = climb(study.knobs, section.text("walk") == "product");
+  for (Job& job : study.jobs) settle(job, study, source, schema, section);
+  number_jobs(study.jobs);
+  for (Job& job : study.jobs)
+    job.options.insert(job.options.begin(), source.shared().begin(), source.shared().end());
+  return study;
+}
+
+}  // namespace breccia
