@@ -19,10 +19,17 @@ void declare_knobs(Schema& schema) {
       .doc("Several paths that take the same value.")
       .example("[\"body.a.mesh.size\", \"body.b.mesh.size\"]");
   s.exactly_one_of({"key", "keys"});
+  s.text("name").doc("How tables and pictures call it.").example("elements at the rim");
   s.values("values")
       .required()
       .doc("The rungs, from coarse to fine.")
       .example("[\"4 mm\", \"2 mm\", \"1 mm\"]");
+  s.numbers("sizes", unit::none)
+      .above(0)
+      .doc(
+          "A number for each value, where the values are words: labels show it, orders are told by "
+          "it.")
+      .example("[4, 2, 1]");
 }
 
 void declare_quantities(Schema& schema) {
@@ -65,6 +72,8 @@ void check_ladders(const Settings& study, Problems& problems) {
                               rungs.empty() ? "the ladder is empty" : "a ladder of one rung",
                               "give at least two values, from coarse to fine"));
     }
+    if (knob.has("sizes") && knob.vector("sizes").size() != rungs.size())
+      problems.add(knob.error("sizes", "there are not as many sizes as values", "one for each"));
     std::sort(rungs.begin(), rungs.end());
     const auto twice = std::adjacent_find(rungs.begin(), rungs.end());
     if (twice != rungs.end())

@@ -23,7 +23,7 @@ std::string safe(const std::string& text) {
 }
 
 std::string part_of(const Knob& knob, int rung) {
-  return knob.name + " " + knob.rungs[static_cast<std::size_t>(rung)];
+  return knob.name + " " + knob.words[static_cast<std::size_t>(rung)];
 }
 
 Job job_of(const std::vector<Knob>& knobs, const std::vector<int>& rung) {

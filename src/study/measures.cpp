@@ -143,10 +143,12 @@ double distance(const Curve& curve, const Curve& right) {
                 "let the run last longer, or shorten the table");
   }
   Curve difference;
-  for (std::size_t i = 0; i < right.x.size(); ++i) {
-    difference.x.push_back(right.x[i]);
-    difference.y.push_back(value_at(curve, right.x[i]) - right.y[i]);
-  }
+  difference.x = right.x;
+  for (const double x : curve.x)
+    if (x > right.x.front() && x < right.x.back()) difference.x.push_back(x);
+  std::sort(difference.x.begin(), difference.x.end());
+  for (const double x : difference.x)
+    difference.y.push_back(value_at(curve, x) - value_at(right, x));
   return std::sqrt(mean_square(difference));
 }
 

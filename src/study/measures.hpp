@@ -47,7 +47,7 @@ struct Curve {
 };
 
 /// Distance between a curve and the right one over the range of the right one, as the root of the
-/// mean square (trapezoids, straight lines between points). \throws Error where the curve does not
+/// mean square (straight lines between the points of both). \throws Error where the curve does not
 /// cover the range.
 double distance(const Curve& curve, const Curve& right);
 

@@ -118,9 +118,15 @@ Knob read_knob(const Settings& section, const Config& scene) {
   }
   const std::string& first = keys.front();
   knob.name = first.find('.') == std::string::npos ? first : key_path(first).back();
-  knob.rungs = section.texts("values");
+  knob.name = section.text_or("name", knob.name);
+  knob.rungs = knob.words = section.texts("values");
   std::vector<double> numbers;
-  for (const std::string& rung : knob.rungs) numbers.push_back(rung_number(rung));
+  if (section.has("sizes")) {
+    numbers = section.vector("sizes");
+    std::transform(numbers.begin(), numbers.end(), knob.words.begin(), number_text);
+  } else {
+    for (const std::string& rung : knob.rungs) numbers.push_back(rung_number(rung));
+  }
   knob.sizes = falling_sizes(numbers);
   return knob;
 }

@@ -27,6 +27,7 @@ struct Knob {
   std::string name;
   std::vector<std::string> paths;  ///< of the keys that take the value
   std::vector<std::string> rungs;  ///< as --set takes them
+  std::vector<std::string> words;  ///< as people see them
   std::vector<double> sizes;       ///< falling; empty where the rungs are words
 };
 

@@ -40,7 +40,7 @@ std::string state_of(const JobResult& outcome) {
 
 std::string rung_of(const Study& study, const Job& job, std::size_t knob) {
   return job.rung[knob] < 0 ? ""
-                            : study.knobs[knob].rungs[static_cast<std::size_t>(job.rung[knob])];
+                            : study.knobs[knob].words[static_cast<std::size_t>(job.rung[knob])];
 }
 
 std::string seconds_text(const Study& study, const JobResult& outcome) {
@@ -82,7 +82,7 @@ void put_knobs(JsonWriter& json, const Study& study) {
     json.begin_object().member("name", knob.name).key("keys").begin_array();
     for (const std::string& path : knob.paths) json.value(path);
     json.end_array().key("values").begin_array();
-    for (const std::string& rung : knob.rungs) json.value(rung);
+    for (const std::string& word : knob.words) json.value(word);
     json.end_array().member("numeric", !knob.sizes.empty()).end_object();
   }
   json.end_array();
@@ -125,7 +125,10 @@ void put_findings(JsonWriter& json, const Study& study, const Judged& judged, co
   json.key("lines").begin_array();
   for (const Line& line : f.lines) {
     json.begin_object().member("knob", study.knobs[line.knob].name).member("others", line.others);
-    json.member("order", line.order).member("order_over_all", line.fitted).end_object();
+    json.member("order", line.order)
+        .member("order_over_all", line.fitted)
+        .member("falls", line.moves)
+        .end_object();
   }
   json.end_array().key("cheapest").begin_array();
   for (const Target& target : f.targets) {

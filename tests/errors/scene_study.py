@@ -33,6 +33,8 @@ RULES = [
          says=["values: the ladder is empty", "give at least two values"]),
     Case("study with a ladder of one rung", base=STUDY, edit=[("[0.8, 0.4]", "[0.8]")],
          at="values = [0.8]", says=["values: a ladder of one rung"]),
+    Case("study with fewer sizes than rungs", base=STUDY, edit=[(KNOB, KNOB + "\nsizes = [1]")],
+         at="sizes = [1]", says=["there are not as many sizes as values"]),
     Case("study with a rung twice", base=STUDY, edit=[("[0.8, 0.4]", "[0.8, 0.8]")],
          at="values = ", says=["the value 0.8 stands there twice"]),
     Case("study of a check that is not there", base=STUDY, edit=[('check = "drift"', 'check = "drfit"')],

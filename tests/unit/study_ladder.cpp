@@ -67,8 +67,12 @@ TEST(StudyKnobs, RungsAsNumbers) {
 }
 
 std::vector<Knob> two_knobs() {
-  return {{"size", {"x.size"}, {"2 mm", "1 mm"}, {2e-3, 1e-3}},
-          {"element", {"x.element", "y.element"}, {"tri3", "tri6c", "tri6c"}, {}}};
+  return {{"size", {"x.size"}, {"2 mm", "1 mm"}, {"2 mm", "1 mm"}, {2e-3, 1e-3}},
+          {"element",
+           {"x.element", "y.element"},
+           {"tri3", "tri6c", "tet"},
+           {"tri3", "tri6c", "tet"},
+           {}}};
 }
 
 TEST(StudyLadder, ProductHasEveryCombination) {

@@ -84,6 +84,7 @@ TEST(StudyTargets, MedianOfRepeats) {
 TEST(StudyCurves, DistanceIsTheRootOfTheMeanSquare) {
   const Curve right{{0, 1, 2}, {0, 0, 0}};
   EXPECT_NEAR(distance({{0, 2}, {0, 2}}, right), std::sqrt(4.0 / 3), 1e-12);  // y = x
+  EXPECT_NEAR(distance({{0, 1, 2}, {0, 3, 0}}, {{0, 2}, {0, 0}}), std::sqrt(3.0), 1e-12);
   EXPECT_NEAR(distance({{-1, 3}, {5, 5}}, right), 5, 1e-12);
   EXPECT_NEAR(size_of({{0, 1, 4}, {3, 3, 3}}), 3, 1e-12);
 }

@@ -34,25 +34,29 @@ def ladder_knob(study):
 
 
 def series_of(study, quantity, costs):
-    """Points by what else is varied: {others: [(cost, error, rung, on the front)]}, in the order of the ladder."""
+    """Points by ladder: {(knob, others): [(cost, error, rung, on the front)]}, in the order of the rungs."""
     knob = ladder_knob(study)
     series = {}
     for job, cost, error, front in zip(study["jobs"], costs, quantity["errors"], quantity["front"]):
         cost, error = number(cost), number(error)
         if not (cost > 0 and error > 0 and math.isfinite(error)):
             continue
-        others = [
-            f"{study['knobs'][k]['name']} {rung}" for k, rung in enumerate(job["rungs"]) if k != knob and rung
-        ]
-        series.setdefault(", ".join(others), []).append((cost, error, job["rungs"][knob] or job["label"], front))
+        set_here = [k for k, rung in enumerate(job["rungs"]) if rung]
+        if len(study["knobs"]) > 1 and len(set_here) == 1:  # one knob at a time: a line for each
+            only = set_here[0]
+            series.setdefault((only, study["knobs"][only]["name"]), []).append((cost, error, job["rungs"][only], front))
+            continue
+        others = [f"{study['knobs'][k]['name']} {job['rungs'][k]}" for k in set_here if k != knob]
+        series.setdefault((knob, ", ".join(others)), []).append((cost, error, job["rungs"][knob], front))
     return series
 
 
-def order_of(study, quantity, others):
-    knob = study["knobs"][ladder_knob(study)]["name"]
+def order_of(study, quantity, knob, others):
+    """Over all rungs, where the error falls along the ladder."""
+    name = study["knobs"][knob]["name"]
     for line in quantity["lines"]:
-        if line["knob"] == knob and line["others"] == others and line["order"] is not None:
-            return line["order"]
+        if line["knob"] == name and line["others"] in (others, "") and line["falls"]:
+            return line["order_over_all"]
     return None
 
 
@@ -63,8 +67,8 @@ def mark_targets(axes, errors):
             continue
         axes.axhline(target, color=style.SPARE, linewidth=0.9, linestyle=(0, (4, 3)), zorder=1)
         axes.annotate(
-            f"{100 * target:g} %", (1, target), xycoords=("axes fraction", "data"), xytext=(-2, 3),
-            textcoords="offset points", ha="right", size=8.5, color=style.QUIET,
+            f"{100 * target:g} %", (0, target), xycoords=("axes fraction", "data"), xytext=(4, 3),
+            textcoords="offset points", ha="left", size=8.5, color=style.QUIET,
         )
 
 
@@ -94,9 +98,9 @@ def draw_panel(axes, study, quantity, costs, front_known, named):
     if not shown:
         raise Trouble(f"{quantity['name']}: no job has an error above zero, so there is nothing to draw")
     front = []
-    for place, (others, points) in enumerate(series.items()):
+    for place, ((knob, others), points) in enumerate(series.items()):
         colour, mark = style.LINES[place % len(style.LINES)], MARKS[place // len(style.LINES) % len(MARKS)]
-        order = order_of(study, quantity, others)
+        order = order_of(study, quantity, knob, others)
         words = [others] if others else []
         words += [style.minus(f"order {order:.1f}")] if order is not None else []
         axes.loglog(
@@ -147,9 +151,5 @@ def draw(study, path):
         row[1].set_xlabel("elements × steps")
         if row[1].get_legend():
             row[1].get_legend().remove()
-    knob = study["knobs"][ladder_knob(study)]["name"]
-    figure.suptitle(
-        f"{study['title'] or study['name']}: what accuracy costs  (labels: {knob})", x=0.01, ha="left",
-        weight="bold", size=13,
-    )
+    figure.suptitle(study["title"] or study["name"], x=0.01, ha="left", weight="bold", size=13)
     style.save(figure, path)
