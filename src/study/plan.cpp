@@ -80,7 +80,7 @@ class Source {
                   key + ": study.scene names another file, so this one holds [study] alone",
                   "put the change into study.set, or leave study.scene out");
     }
-    scene_ = find_scene_file(file_.parent_path() / named.text());
+    scene_ = find_scene_file((file_.parent_path() / named.text()).lexically_normal());
     Config* quantities = study_.find("quantity");
     if (quantities == nullptr || !quantities->is(Config::Kind::array)) return;
     for (Config& quantity : quantities->array()) {

@@ -122,9 +122,9 @@ class Ladder(Study):
         self.assertLess(max(speed["errors"]), 1e-5)  # momentum is right on every mesh
 
     def test_a_curve_against_a_table(self):
-        (self.folder / "right.csv").write_text(
-            "time, v\n# v = s^3 - s^4 / 2, s = t / 20 us: the integral of a smooth ramp\n"
-            "0, 0\n10e-6, 0.09375\n20e-6, 0.5\n")
+        # The integral of a smooth ramp.
+        rows = [f"{20e-6 * s / 40:.9g}, {(s / 40) ** 3 - (s / 40) ** 4 / 2:.9g}" for s in range(41)]
+        (self.folder / "right.csv").write_text("\n".join(["time, v", "# by hand", *rows]) + "\n")
         text = STUDY.replace('value     = "final(IE_elastic)"\nreference = "finest"',
                              'curve = "middle.vx"\ntable = "right.csv"')
         self.study(text=SCENE + text)
