@@ -2,6 +2,7 @@
 """`breccia study` as a user meets it: test_study.py EXECUTABLE [unittest options]"""
 
 import csv
+import importlib.util
 import json
 import os
 import pathlib
@@ -14,6 +15,7 @@ import time
 import unittest
 
 EXECUTABLE = ""
+PLOT = pathlib.Path(__file__).resolve().parents[2] / "tools" / "plot"
 
 # A free bar of some elements that a push sets in motion: its momentum is known, its waves are not resolved.
 SCENE = """\
@@ -155,6 +157,14 @@ class Ladder(Study):
     def test_jobs_side_by_side(self):
         self.study("--jobs", 3)
         self.assertEqual([job["state"] for job in self.found()["jobs"]], ["complete"] * 3)
+
+
+    @unittest.skipUnless(importlib.util.find_spec("matplotlib") and importlib.util.find_spec("h5py"), "no matplotlib")
+    def test_the_picture(self):
+        self.environment["BRECCIA_PLOT"] = str(PLOT)
+        self.environment["MPLCONFIGDIR"] = str(self.folder)
+        self.assertIn("picture: bar.study/study.png", self.study().stdout)
+        self.assertEqual((self.folder / "bar.study" / "study.png").read_bytes()[1:4], b"PNG")
 
 
 class Resume(Study):

@@ -152,4 +152,4 @@ def draw(study, path):
         if row[1].get_legend():
             row[1].get_legend().remove()
     figure.suptitle(study["title"] or study["name"], x=0.01, ha="left", weight="bold", size=13)
-    style.save(figure, path)
+    style.save(figure, path, 100)

@@ -78,8 +78,8 @@ def label(name, unit):
     return f"{name} [{unit}]" if unit else name
 
 
-def save(figure, path):
+def save(figure, path, dots_per_inch=None):
     path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path)
+    figure.savefig(path, dpi=dots_per_inch or plt.rcParams["savefig.dpi"])
     plt.close(figure)
     print(path)
