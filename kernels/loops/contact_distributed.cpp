@@ -36,7 +36,8 @@ struct DistributedForceLoop {
     const bool known = out.history.element(a, 0) != kNone;
     ContactState<D> old;
     if (known) old = load_state(out.history, a, 0);
-    if (old.phi < 0) old = from_interface(old);
+    const bool fresh = !known || old.phi == ContactHistory<D>::left;
+    if (old.phi < 0) old = from_apart(old);
     if (most == kNone) {
       if (known) end(a, q, x, v, old, lost);
       set_row<D>(in.pairs.point_force, a, Vec<D>::zero());
@@ -48,7 +49,7 @@ struct DistributedForceLoop {
     motion.slope = 1;
     motion.dt = in.dt_before;
     motion.keep = in.keep;
-    const bool unseen = !known && motion.phi > 2 * norm(motion.velocity) * motion.dt;
+    const bool unseen = fresh && motion.phi > 2 * norm(motion.velocity) * motion.dt;
     motion.jumped = unseen && motion.dt > 0;
     const Index element = in.surface.target(in.pairs.target(most));
     ContactParameters law = contact_parameters(in, a, element);
@@ -113,14 +114,18 @@ struct DistributedForceLoop {
     }
     const Vec<D> way = way_past(in, out.history.element(a, 0), at, speed);
     book_contact(contact_ended(old, way), lost);
-    out.history.element(a, 0) = out.history.element(a, 1) = kNone;
+    if (out.history.rubbed.extent(0) > 0)
+      store_state(out.history, a, 0, state_apart(old));
+    else
+      out.history.element(a, 0) = out.history.element(a, 1) = kNone;
   }
 
-  /// An interface has handed the part over: only its slip is known.
+  /// An interface has handed the part over, or it has left before: only its slip is known.
   KOKKOS_FUNCTION
-  static ContactState<D> from_interface(const ContactState<D>& old) {
+  static ContactState<D> from_apart(const ContactState<D>& old) {
     ContactState<D> state;
     state.slip = old.slip;
+    state.rubbed = old.rubbed;
     return state;
   }
 };

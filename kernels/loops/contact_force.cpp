@@ -161,7 +161,8 @@ struct ContactForceLoop {
     motion.dt = in.dt_before;
     motion.keep = in.keep;
     // A new contact deeper than the last step can have brought it was there before it was seen.
-    const bool unseen = slot == kNone && motion.phi > 2 * norm(motion.velocity) * motion.dt;
+    const bool fresh = slot == kNone || point.old[slot].phi == ContactHistory<D>::left;
+    const bool unseen = fresh && motion.phi > 2 * norm(motion.velocity) * motion.dt;
     motion.jumped =
         (in.jumped && slot != kNone && !(point.old[slot].phi < 0)) || (unseen && motion.dt > 0);
     const ContactParameters law = contact_parameters(in, a, element);
@@ -185,12 +186,16 @@ struct ContactForceLoop {
                                 const ContactMotion<D>& motion) {
     if (!(old.phi < 0)) return old;
     ContactState<D> handed;
+    handed.rubbed = old.rubbed;
+    if (old.phi == ContactHistory<D>::left) return handed;
     handed.slip = old.slip;
     ContactMotion<D> then = motion;
     then.phi += motion.slope * dot(motion.velocity, motion.normal) * motion.dt;
     then.dt = 0;
     then.jumped = false;
-    return contact_response(law, handed, then).next;
+    ContactState<D> state = contact_response(law, handed, then).next;
+    state.rubbed = old.rubbed;
+    return state;
   }
 
   KOKKOS_FUNCTION
@@ -207,10 +212,12 @@ struct ContactForceLoop {
   /// The point is out of a piece that it was in. Having been deeper than it can have moved is a
   /// loss.
   KOKKOS_FUNCTION
-  void leave(const Point& point, int slot, Sums<3>& lost) const {
-    const Vec<D> way = way_past(in, point.element[slot], point.x, point.v);
+  void leave(Point& point, int slot, Sums<3>& lost) const {
     const ContactState<D>& old = point.old[slot];
-    if (old.phi < 0) return;  // handed over, but open
+    if (out.history.rubbed.extent(0) > 0 && point.hits < kContactSlots)
+      remember(point, point.element[slot], state_apart(old));
+    if (old.phi < 0) return;  // it was apart
+    const Vec<D> way = way_past(in, point.element[slot], point.x, point.v);
     book_contact(contact_ended(old, way), lost);
     if (old.phi - old.offset > 3 * norm(way))
       Kokkos::atomic_inc(&out.signals.value(ContactSignals::lost));

@@ -2,6 +2,7 @@
 #include "base/sums.hpp"
 #include "loops/contact_history.hpp"
 #include "loops/contact_lists.hpp"
+#include "point/friction_law.hpp"
 
 namespace breccia {
 
@@ -13,7 +14,7 @@ struct ContactPointData {
 };
 
 /// Numbers of two materials in contact: (contactor * materials + target, 3).
-///   0: friction coefficient
+///   0: friction coefficient at rest
 ///   1: stiffness of the pair over that of the contactor's material against itself
 ///   2: tangential over normal stiffness
 using ContactTable = Kokkos::View<double* [3], Rows, Memory>;
@@ -35,8 +36,7 @@ struct ContactForceIn {
   Kokkos::View<const Index*, Memory> element_material;
   Kokkos::View<const Index*, Memory> family;  ///< of nodes; empty where nothing can break
   ContactTable table;
-  double dynamic_share = 1;    ///< of friction at speed
-  double weakening_speed = 0;  ///< m/s; 0: friction does not depend on it
+  Kokkos::View<const FrictionLaw*, Memory> laws;  ///< as the table; empty where all are Coulomb's
   Index materials = 0;
   double dt_before = 0;  ///< s, of the step that led here
   double keep = 0;       ///< share of a jump of the potential that survives a step

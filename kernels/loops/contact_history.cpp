@@ -23,13 +23,17 @@ struct TakeOver {
     const int turn = in.face_code(face) >> 4;
     for (int k = 0; k < ContactHistory<D>::kNumbers; ++k) history.state(a, 0, k) = 0;
     history.element(a, 0) = in.face_elements(face, left ? 1 : 0);
-    history.state(a, 0, ContactHistory<D>::depth) = -1;
+    history.state(a, 0, ContactHistory<D>::depth) = ContactHistory<D>::handed;
     for (int i = 0; i < D; ++i) {
       const int corner = left ? i : opposite_face_node<D>(turn, i);
       const double w = face_weight<D>(point % kFacePoints<D>, i, in.own_weight) * (left ? -1 : 1);
       for (int d = 0; d < D; ++d)
         history.state(a, 0, ContactHistory<D>::slip + d) +=
             w * in.slip(in.face_interface(face), corner, d);
+      if (history.rubbed.extent(0) == 0) continue;
+      for (int k = 0; k < 3; ++k)
+        history.rubbed(a, 0, k) = (i == 0 ? 0 : history.rubbed(a, 0, k)) +
+                                  Kokkos::abs(w) * in.rubbed(in.face_interface(face), corner, k);
     }
   }
 };
@@ -46,6 +50,9 @@ void carry_history(const Array<Index>& old_point, Index old_points, const Contac
           now.element(a, s) = from == kNone ? kNone : old.element(from, s);
           for (int k = 0; k < ContactHistory<D>::kNumbers; ++k)
             now.state(a, s, k) = now.element(a, s) == kNone ? 0.0 : old.state(from, s, k);
+          if (now.rubbed.extent(0) == 0) continue;
+          for (int k = 0; k < 3; ++k)
+            now.rubbed(a, s, k) = now.element(a, s) == kNone ? 0.0 : old.rubbed(from, s, k);
         }
       });
 }
@@ -60,6 +67,8 @@ void copy_history(const Array<Index>& from_point, const ContactHistory<D>& from,
           to.element(a, s) = from.element(a, s);
           for (int k = 0; k < ContactHistory<D>::kNumbers; ++k)
             to.state(a, s, k) = from.state(a, s, k);
+          if (to.rubbed.extent(0) == 0) continue;
+          for (int k = 0; k < 3; ++k) to.rubbed(a, s, k) = from.rubbed(a, s, k);
         }
       });
 }

@@ -6,13 +6,17 @@ namespace breccia {
 
 /// Memory of the contact points (point, slot): element that the point was last in, and its state
 /// (depth, offset, stored, slip, force, viscous), see point/contact_law.hpp. A negative depth marks
-/// a point that an interface has just handed over: only its slip is known.
+/// a point that is apart: one that an interface has just `handed` over, of which only the slip is
+/// known, or one that has `left` and whose law of friction remembers it.
 template <int D>
 struct ContactHistory {
   static constexpr int kNumbers = 3 + 3 * D;
+  static constexpr double handed = -1, left = -2;
   enum { depth = 0, offset = 1, stored = 2, slip = 3, force = 3 + D, viscous = 3 + 2 * D };
   Kokkos::View<Index* [kContactSlots], Rows, Memory> element;
   Kokkos::View<double* [kContactSlots][kNumbers], Rows, Memory> state;
+  /// Slip so far, slip rate, theta (see Rubbed); empty where all friction is Coulomb's.
+  Kokkos::View<double* [kContactSlots][3], Rows, Memory> rubbed;
 };
 
 /// Moves the memories of the points of the old list to their places in the new one; both ascend.
@@ -38,6 +42,8 @@ struct ContactHandover {
   Kokkos::View<const Index*, Memory> face_interface;
   /// Elastic slip of the right side against the left at the left face's corners, m.
   Kokkos::View<const double* [D][D], Rows, Memory> slip;
+  /// Slip so far, slip rate and theta there; empty where contact does not ask for them.
+  Kokkos::View<const double* [D][3], Rows, Memory> rubbed;
 };
 
 /// Starts the memories of points on faces that have just been released.

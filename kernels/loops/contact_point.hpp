@@ -20,6 +20,10 @@ ContactState<D> load_state(const ContactHistory<D>& history, Index a, int slot) 
     state.force[d] = s[3 + D + d];
     state.viscous[d] = s[3 + 2 * D + d];
   }
+  if (history.rubbed.extent(0) > 0) {
+    const double* r = &history.rubbed(a, slot, 0);
+    state.rubbed = {r[0], r[1], r[2]};
+  }
   return state;
 }
 
@@ -36,6 +40,21 @@ void store_state(const ContactHistory<D>& history, Index a, int slot,
     s[3 + D + d] = state.force[d];
     s[3 + 2 * D + d] = state.viscous[d];
   }
+  if (history.rubbed.extent(0) == 0) return;
+  double* r = &history.rubbed(a, slot, 0);
+  r[0] = state.rubbed.slip;
+  r[1] = state.rubbed.rate;
+  r[2] = state.rubbed.theta;
+}
+
+/// What is kept of a point that is out of a piece, see ContactHistory.
+template <int D>
+KOKKOS_INLINE_FUNCTION
+ContactState<D> state_apart(const ContactState<D>& old) {
+  ContactState<D> apart;
+  apart.phi = ContactHistory<D>::left;
+  apart.rubbed = old.rubbed;
+  return apart;
 }
 
 /// Law of point a against an element.
@@ -50,8 +69,7 @@ ContactParameters contact_parameters(const ContactForceIn<D>& in, Index a, Index
   p.tangential = p.normal * ratio;
   p.tangential_damping = p.damping * Kokkos::sqrt(ratio);
   p.friction = in.table(pair, 0);
-  p.dynamic_share = in.dynamic_share;
-  p.weakening_speed = in.weakening_speed;
+  if (in.laws.extent(0) > 0) p.law = &in.laws(pair);
   return p;
 }
 

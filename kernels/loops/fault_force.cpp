@@ -45,6 +45,10 @@ struct FaultForceLoop {
       out.state(i, c).jump = s.jump;
       for (int d = 0; d < D - 1; ++d)
         out.state(i, c).plastic[d] = s.jump[d + 1] - tau[d] / law.springs.shear;
+      if (out.rubbed.extent(0) == 0) continue;
+      out.state(i, c).slip = s.slip;
+      out.rubbed(i, c, 1) = s.rate;
+      out.rubbed(i, c, 2) = s.theta;
     }
     out.life(i) = interface_life::leaving;
     return 1;

@@ -6,10 +6,11 @@ namespace breccia {
 template <int D>
 struct FaultForceOut {
   FaultStates<D> fault;
-  CornerStates<D> state;  ///< gets the elastic slip that contact goes on with
+  CornerStates<D> state;  ///< gets the slip that contact goes on with
   CornerEnergies<D> energy;
   PairForces<D> force;       ///< N on the left corner; the right one gets the opposite
   Array<std::uint8_t> life;  ///< interface_life
+  CornerRubbed<D> rubbed;    ///< slip rate and theta where contact asks for them; else empty
 };
 
 /// Tractions of faults at their corners, each with 1/D of the reference area. A pair of faces acts

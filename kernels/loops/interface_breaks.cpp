@@ -17,6 +17,7 @@ struct ReleaseLoop {
   ConstVectors<D> x;
   ConstCornerStates<D> state;
   PairForces<D> slip;
+  CornerRubbed<D> rubbed;
 
   KOKKOS_FUNCTION
   void operator()(Index k) const {
@@ -36,6 +37,7 @@ struct ReleaseLoop {
       for (int d = 1; d < D; ++d) xi[d] -= s.plastic[d - 1];
       xi = frame.to_global(xi);
       for (int d = 0; d < D; ++d) slip(i, c, d) = xi[d];
+      if (rubbed.extent(0) > 0) rubbed(i, c, 0) = s.slip;
     }
   }
 };
@@ -66,9 +68,10 @@ Index InterfaceBreaks<D>::leaving() const {
 template <int D>
 void InterfaceBreaks<D>::release(const Array<Index>& broken, Index n,
                                  const ConstConnectivity<D>& nodes, const ConstVectors<D>& x,
-                                 const ConstCornerStates<D>& state,
-                                 const PairForces<D>& slip) const {
-  for_each("breccia::fracture::release", n, ReleaseLoop<D>{*this, broken, nodes, x, state, slip});
+                                 const ConstCornerStates<D>& state, const PairForces<D>& slip,
+                                 const CornerRubbed<D>& rubbed) const {
+  for_each("breccia::fracture::release", n,
+           ReleaseLoop<D>{*this, broken, nodes, x, state, slip, rubbed});
 }
 
 template <int D>

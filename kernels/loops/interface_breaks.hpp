@@ -17,10 +17,11 @@ struct InterfaceBreaks {
   Index leaving() const;
 
   /// Releases the faces of broken(0) ... broken(n - 1). Where `slip` exists, it gets the elastic
-  /// slip of their corners in global components, m.
+  /// slip of their corners in global components, m; where `rubbed` exists, it gets their slip so
+  /// far.
   void release(const Array<Index>& broken, Index n, const ConstConnectivity<D>& nodes,
                const ConstVectors<D>& x, const ConstCornerStates<D>& state,
-               const PairForces<D>& slip) const;
+               const PairForces<D>& slip, const CornerRubbed<D>& rubbed) const;
 };
 
 /// Interfaces that were leaving are gone, and their forces with them. `touched` is set at the

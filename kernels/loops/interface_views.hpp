@@ -62,6 +62,9 @@ template <int D>
 using ConstCornerEnergies = Kokkos::View<const CornerEnergy* [D], Rows, Memory>;
 template <int D>
 using ConstCornerFlags = Kokkos::View<const std::uint8_t* [D], Rows, Memory>;
+/// Slip so far, slip rate and theta of the corners (interface, corner, 3), see Rubbed.
+template <int D>
+using CornerRubbed = Kokkos::View<double* [D][3], Rows, Memory>;
 template <int D>
 using ConstPairForces = Kokkos::View<const double* [D][D], Rows, Memory>;
 template <class T>

@@ -4,6 +4,13 @@
 
 namespace breccia {
 
+/// What a law of friction other than Coulomb's knows of the past.
+struct Rubbed {
+  double slip = 0;   ///< s so far, m
+  double rate = 0;   ///< V, m/s
+  double theta = 0;  ///< s; 0: as the law begins
+};
+
 /// Memory of one contact point against one piece of material.
 template <int D>
 struct ContactState {
@@ -13,32 +20,17 @@ struct ContactState {
   Vec<D> slip = Vec<D>::zero();     ///< elastic slip, m
   Vec<D> force = Vec<D>::zero();    ///< on the contactor, N
   Vec<D> viscous = Vec<D>::zero();  ///< its viscous part, N
+  Rubbed rubbed;
 };
 
 /// Stiffnesses and dashpots of the point: per area times the area that it stands for.
 struct ContactParameters {
-  double normal = 0;              ///< k, N/m
-  double tangential = 0;          ///< k_t, N/m
-  double damping = 0;             ///< c, N s/m
-  double tangential_damping = 0;  ///< c_t, N s/m
-  double friction = 0;            ///< mu at rest, 1
-  double dynamic_share = 1;       ///< of mu that is left at speed
-  double weakening_speed = 0;     ///< v_c, m/s; 0: mu does not depend on the speed
-
-  /// eq:friction-1 (point/friction_law.hpp)
-  KOKKOS_FUNCTION
-  double coefficient(double speed) const {
-    if (!(weakening_speed > 0)) return friction;
-    const FrictionLaw law{FrictionKind::static_dynamic,
-                          friction,
-                          friction * dynamic_share,
-                          0,
-                          weakening_speed,
-                          0,
-                          0,
-                          0};
-    return law.coefficient(0, speed, 0);
-  }
+  double normal = 0;                 ///< k, N/m
+  double tangential = 0;             ///< k_t, N/m
+  double damping = 0;                ///< c, N s/m
+  double tangential_damping = 0;     ///< c_t, N s/m
+  double friction = 0;               ///< mu at rest, 1
+  const FrictionLaw* law = nullptr;  ///< none: Coulomb's, which is mu alone
 };
 
 /// Motion of the point relative to the target since the last step.
@@ -68,6 +60,26 @@ double kept_offset(double offset, double phi, double keep) {
   return phi + offset < 0 ? -phi : offset;
 }
 
+/// How far the spring of friction may be stretched, as a force, N.
+struct Grip {
+  double cap;
+  bool sticks;
+};
+
+/// Grip on a spring that would bear `size` if nothing slid: eq:friction-1 to 7.
+KOKKOS_INLINE_FUNCTION
+Grip grip_of(const FrictionLaw& law, double size, double pressing, double stiffness, double dt,
+             Rubbed& rubbed) {
+  if (!(rubbed.theta > 0)) rubbed.theta = law.state;
+  const Slide before{0, rubbed.rate, rubbed.theta};
+  const Slide now = slide_of(law, size, pressing, stiffness, dt, rubbed.slip, before);
+  rubbed = {rubbed.slip + now.slipped, now.rate, now.theta};
+  if (!(pressing > 0)) return {0, size <= 0};
+  if (now.slipped > 0) return {Kokkos::max(0.0, size - stiffness * now.slipped), false};
+  const double cap = pressing * law.coefficient(rubbed.slip, now.rate, now.theta);
+  return {Kokkos::max(size, cap), true};
+}
+
 /// Force of a contact point (ALGORITHMS ).
 ///
 // symbols  phi [m] depth  n [1] outward normal of the target  e [m] elastic slip
@@ -75,7 +87,8 @@ double kept_offset(double offset, double phi, double keep) {
 //          g [1] slope of phi
 // eq:contact-1   F_n = g max(0, k phi - c g v.n)                 never tensile
 // eq:contact-2   e* = e turned into the tangent plane + v_t dt
-// eq:contact-3   e = e* while k_t |e*| <= mu F_n (sticks), else mu F_n / k_t along e* (slips)
+// eq:contact-3   e = e* while k_t |e*| <= mu F_n (sticks), else mu F_n / k_t along e* (slips); the
+//                slip |e* - e| of a step and mu go together by eq:friction-7
 // eq:contact-4   F_t = k_t e, and + c_t v_t up to mu F_n while it sticks
 // eq:contact-5   F = F_n n - F_t on the contactor
 // Energies of a step are exact for the trapezoidal work W = (F_old + F)/2 . v dt, which is what
@@ -106,13 +119,18 @@ ContactResponse<D> contact_response(const ContactParameters& p, const ContactSta
     if (length2 > 0) e *= Kokkos::sqrt(norm2(old.slip) / length2);
     const Vec<D> before = e;
     e += v_t * motion.dt;  // eq:contact-2
-    const double cap = p.coefficient(norm(v_t)) * pressing, size = p.tangential * norm(e);
-    s.slip = size <= cap ? e : e * (cap / size);  // eq:contact-3
+    const double size = p.tangential * norm(e);
+    Grip grip{p.friction * pressing, size <= p.friction * pressing};
+    if (p.law != nullptr) {
+      s.rubbed = old.rubbed;
+      grip = grip_of(*p.law, size, pressing, p.tangential, motion.dt, s.rubbed);
+    }
+    s.slip = grip.sticks ? e : e * (grip.cap / size);  // eq:contact-3
     dragging = s.slip * p.tangential;
-    if (size <= cap) {  // eq:contact-4
+    if (grip.sticks) {  // eq:contact-4
       dragging += v_t * p.tangential_damping;
       const double most = norm(dragging);
-      if (most > cap) dragging *= cap / most;
+      if (most > grip.cap) dragging *= grip.cap / most;
       sticking = dragging - s.slip * p.tangential;
     }
     r.friction = 0.5 * p.tangential * dot(before + s.slip, e - s.slip);

@@ -21,4 +21,12 @@ struct InterfaceSlip {
                                   "elastic slip at release, per corner"};
 };
 
+/// What else the laws of friction of contact go on with there.
+template <int D>
+struct InterfaceRubbed {
+  using View = Kokkos::View<double* [D][3], Rows, Memory>;
+  static constexpr FieldInfo info{"interface_rubbed", Entity::interface, "SI", Restart::yes,
+                                  "slip so far, slip rate and theta at release, per corner"};
+};
+
 }  // namespace breccia

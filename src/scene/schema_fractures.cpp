@@ -2,6 +2,7 @@
 // the fracture module's.
 #include "core/text.hpp"
 #include "scene/schema_rules.hpp"
+#include "step/friction_keys.hpp"
 
 namespace breccia {
 
@@ -75,30 +76,6 @@ void declare_grains(Schema& schema) {
   s.integer("seed").between(0, 2147483647).doc("run.seed if absent.").example("3");
 }
 
-/// Keys that one word asks for.
-void require(const Settings& s, const char* key, const std::string& for_what, Problems& problems) {
-  if (!s.has(key)) problems.add(s.error(key, "is missing; " + for_what + " needs it"));
-}
-
-void check_friction(const Settings& friction, Problems& problems) {
-  const std::string law = friction.text("law");
-  const bool weakens =
-      law == "static_dynamic" || law == "slip_weakening" || law == "velocity_weakening";
-  if (weakens) require(friction, "dynamic", law, problems);
-  if (law == "slip_weakening") require(friction, "weakening_slip", law, problems);
-  if (law == "static_dynamic" || law == "velocity_weakening")
-    require(friction, "weakening_speed", law, problems);
-  if (law == "ageing" || law == "slip_law")
-    for (const char* key : {"a", "b", "state_slip"}) require(friction, key, law, problems);
-  if (weakens && friction.has("dynamic") &&
-      friction.number("dynamic") > friction.number("coefficient"))
-    problems.add(
-        friction.error("dynamic",
-                       number_text(friction.number("dynamic")) +
-                           " is above coefficient = " + number_text(friction.number("coefficient")),
-                       "a fault that weakens slides with less friction"));
-}
-
 void check_stress_length(const Settings& s, int dimension, Problems& problems) {
   const std::size_t wanted = dimension == 2 ? 4 : 6;
   if (s.has("stress") && s.vector("stress").size() != wanted)
@@ -122,7 +99,7 @@ void check_kind(const Settings& s, int dimension, Problems& problems) {
   if (kind != "closed" && !s.list("patch").empty())
     problems.add(s.list("patch")[0].error("", "only a closed fracture has patches"));
   if (s.has("friction")) {
-    check_friction(s.at("friction"), problems);
+    check_friction(s.at("friction"), "coefficient", problems);
     check_stress_length(s.at("friction"), dimension, problems);
   }
   for (const Settings& patch : s.list("patch")) check_stress_length(patch, dimension, problems);

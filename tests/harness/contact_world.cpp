@@ -128,6 +128,10 @@ void ContactWorld<D>::search() {
   history.element = decltype(history.element)("element", pairs.points);
   Kokkos::deep_copy(history.element, kNone);
   history.state = decltype(history.state)("state", pairs.points);
+  if (law.kind != FrictionKind::coulomb) {
+    history.rubbed = decltype(history.rubbed)("rubbed", pairs.points);
+    laws_ = to_device("laws", std::vector<FrictionLaw>{law});
+  }
   lost_ = ChunkSums<3>("lost", chunks_of(pairs.points));
   table_ = ContactTable("table", 1);
   const auto table = Kokkos::create_mirror_view(table_);
@@ -149,6 +153,7 @@ void ContactWorld<D>::force() {
   in.element_nodes = nodes_;
   in.element_material = material_;
   in.table = table_;
+  in.laws = laws_;
   in.materials = 1;
   in.dt_before = dt_before;
   in.keep = keep;

@@ -24,6 +24,7 @@ class ContactWorld {
   std::vector<Vec<D>> x, v;     ///< current
   double stiffness = 1e9;       ///< k per area, Pa/m
   double xi = 0, friction = 0;  ///< damping, friction coefficient
+  FrictionLaw law;              ///< used where it is not Coulomb's
   double skin = 0.02;           ///< m
   double dt_before = 0, keep = 0;
   bool smooth = true, jumped = false, distributed = false;
@@ -70,6 +71,7 @@ class ContactWorld {
   ContactSearchScratch<D> search_scratch_;
   ContactPointData<D> point_;
   ContactTable table_;
+  Kokkos::View<FrictionLaw*, Memory> laws_;
   ContactSignals signals_;
   ChunkSums<3> lost_;
 };

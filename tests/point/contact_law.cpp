@@ -109,26 +109,6 @@ TEST(ContactLaw, SlidingStops) {
 }
 
 // Below the cap the elastic slip holds for ever: no creep (V-042).
-// V-043: mu_s N holds at rest; at speed friction is mu_d N + (mu_s - mu_d) N exp(-V / v_c).
-TEST(ContactLaw, FrictionFallsWithTheSpeed) {
-  ContactParameters law;
-  law.normal = 1e6;
-  law.tangential = 3e5;
-  law.friction = 0.6;
-  law.dynamic_share = 2.0 / 3;
-  law.weakening_speed = 0.1;
-  const double pressing = 1e6 * 1e-3;
-  for (const double speed : {0.0, 1e-4, 0.1, 10.0}) {
-    ContactState<2> state;
-    state.phi = 1e-3;
-    state.slip = {{1, 0}};  // far beyond what friction bears
-    const auto r = contact_response(
-        law, state, ContactMotion<2>{1e-3, {{0, 1}}, 1, {{speed, 0}}, 1e-6, 0.9, false});
-    EXPECT_NEAR(norm(r.next.slip) * law.tangential, (0.4 + 0.2 * std::exp(-speed / 0.1)) * pressing,
-                1e-9 * pressing);
-  }
-}
-
 TEST(ContactLaw, StickingDoesNotCreep) {
   Bounce b;
   const double g = 9.81, k = 1e6;

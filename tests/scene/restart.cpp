@@ -1,6 +1,7 @@
 // V-147: what is saved and loaded goes on with the same bits.
 #include "harness/scenes.hpp"
 #include "harness/temp_folder.hpp"
+#include "modules/contact/contact_fields.hpp"
 #include "scene/state_file.hpp"
 
 #include <gtest/gtest.h>
@@ -198,6 +199,34 @@ TEST(Restart, FaultsGoOnBitForBit) {
                  "[[fractures]]\nname = \"o\"\nbody = \"b\"\nkind = \"open\"\n"
                  "lines = [[[0.5, 0.5], [0.5, 1]]]\n";
     for (const int before : {0, 1, 300}) check_restart<2>(scene, before, 80);
+  }
+}
+
+// A block that slides over a body, in the middle of what its law of friction remembers.
+TEST(Restart, FrictionOfContactGoesOnBitForBit) {
+  for (const char* law : {"law = \"slip_weakening\"\ndynamic = 0.2\nweakening_slip = 1e-4\n",
+                          "law = \"velocity_weakening\"\ndynamic = 0.2\nweakening_speed = 1e-2\n",
+                          "law = \"ageing\"\na = 0.01\nb = 0.02\nstate_slip = 1e-5\n"}) {
+    BlockScene scene{2, "[1, 1]", "[4, 4]"};
+    scene.damping = 0.1;
+    scene.more = std::string(
+                     "[[body]]\nname = \"table\"\nmaterial = \"m\"\n"
+                     "shape = { rectangle = { corner = [-0.5, -0.5], size = [2, 0.5] } }\n"
+                     "mesh = { generator = \"structured\", cells = [10, 2] }\n"
+                     "[[boundary]]\nwhere = \"table\"\nfixed = [0, 0]\n"
+                     "[gravity]\nacceleration = [4.905, -8.4957]\nramp = 0.01\n"
+                     "[contact]\nfriction = 0.4\n") +
+                 law;
+    SceneWorld<2> world(scene.text());
+    world.simulation.start();
+    world.steps(900);
+    const auto rubbed = world.host<ContactRubbed>();
+    double most = 0;
+    for (Index a = 0; a < world.store().count(Entity::contact_point); ++a)
+      most = std::max(most, rubbed(a, 0, 0));
+    EXPECT_GT(most, 1e-6) << law;
+    EXPECT_LT(most, 1e-3) << law;
+    for (const int before : {0, 1, 900}) check_restart<2>(scene, before, 80);
   }
 }
 

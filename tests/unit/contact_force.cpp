@@ -231,4 +231,49 @@ TEST(ContactForce, DraggedAlongAPolygon) {
   EXPECT_LT(ripple[2], 0.05);
 }
 
+/// Largest slip so far of the points.
+double most_rubbed(const ContactWorld<2>& world) {
+  const auto rubbed =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, world.history.rubbed);
+  double most = 0;
+  for (Index a = 0; a < world.pairs.points; ++a)
+    for (int s = 0; s < kContactSlots; ++s) most = std::max(most, rubbed(a, s, 0));
+  return most;
+}
+
+// A block that slides on, is lifted and comes down again weakens from where it was, whatever its
+// force is made of; Coulomb's friction has no memory to carry.
+TEST(ContactForce, LawOfFrictionRemembersOverAHop) {
+  for (const bool distributed : {false, true}) {
+    ContactWorld<2> world(
+        join<2>({block({0, 0}, {1, 0.6}, 5, 3), block({-1, -0.6}, {2.2, 0}, 16, 3)}));
+    world.distributed = distributed;
+    world.friction = 0.6;
+    world.law = {FrictionKind::slip_weakening, 0.6, 0.4, 0.1, 0, 0, 0, 0};
+    move_body(world, 0, {{0, -1e-4}});
+    world.update_surface();
+    world.search();
+    const double dt = 1e-3;
+    const auto slide = [&](const Vec<2>& way) {
+      move_body(world, 0, way);
+      for (std::size_t e = 0; e < world.mesh.element.size(); ++e)
+        if (world.mesh.body[e] == 0)
+          for (const Index n : world.mesh.element[e]) world.v[n] = way * (1 / dt);
+      world.dt_before = dt;
+      world.force();
+    };
+    for (int i = 0; i < 10; ++i) slide({{1e-3, 0}});
+    const double slid = most_rubbed(world);
+    EXPECT_NEAR(slid, 0.01, 5e-4);
+    for (int i = 0; i < 4; ++i) slide({{0, 1e-4}});
+    EXPECT_EQ(world.touching(), 0);
+    EXPECT_NEAR(most_rubbed(world), slid, 3e-4);  // the springs of friction let go
+    EXPECT_EQ(world.stored(), 0);
+    for (int i = 0; i < 4; ++i) slide({{0, -1e-4}});
+    EXPECT_GT(world.touching(), 0);
+    for (int i = 0; i < 10; ++i) slide({{1e-3, 0}});
+    EXPECT_NEAR(most_rubbed(world), 0.02, 1e-3);
+  }
+}
+
 }  // namespace

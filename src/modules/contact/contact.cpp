@@ -4,6 +4,7 @@
 #include "loops/contact_gather.hpp"
 #include "modules/contact/contact_fields.hpp"
 #include "modules/contact/contact_pictures.hpp"
+#include "step/friction_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,23 @@ ContactListKeys list_keys(const Settings& contact) {
           contact.text("points") == "corners"};
 }
 
+/// Of contactor * materials + target.
+std::vector<FrictionLaw> friction_laws(const Settings& contact,
+                                       const std::vector<Material>& materials) {
+  const std::size_t n = materials.size();
+  std::vector<FrictionLaw> laws(n * n, read_friction(contact, "friction"));
+  for (const Settings& pair : contact.list("pair")) {
+    const std::string &first = pair.texts("between").front(),
+                      &second = pair.texts("between").back();
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        if ((materials[i].name == first && materials[j].name == second) ||
+            (materials[i].name == second && materials[j].name == first))
+          laws[i * n + j] = read_friction(pair, "friction");
+  }
+  return laws;
+}
+
 }  // namespace
 
 template <int D>
@@ -33,6 +51,7 @@ void Contact<D>::declare(Model<D>& model) {
   s.add<ContactPoint>(key());
   s.add<ContactElement>(key());
   s.add<ContactMemory<D>>(key());
+  if (contact_remembers(*model.scene)) s.add<ContactRubbed>(key());
 }
 
 template <int D>
@@ -43,21 +62,11 @@ void Contact<D>::read_tables(const Model<D>& model) {
   rule_.damping = contact.number("damping");
   smooth_ = contact.text("direction") == "smooth";
   distributed_ = contact.text("force") == "distributed_potential";
-  dynamic_share_ = contact.maybe_number("dynamic_share").value_or(1.0);
-  weakening_speed_ = contact.maybe_number("weakening_speed").value_or(0.0);
   const auto& materials = model.materials;
   const std::size_t n = materials.size();
-  std::vector<double> friction(n * n, contact.number("friction"));
-  for (const Settings& pair : contact.list("pair")) {
-    const std::string &first = pair.texts("between").front(),
-                      &second = pair.texts("between").back();
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j)
-        if ((materials[i].name == first && materials[j].name == second) ||
-            (materials[i].name == second && materials[j].name == first))
-          friction[i * n + j] = pair.number("friction");
-  }
-  rubs_ = std::any_of(friction.begin(), friction.end(), [](double mu) { return mu > 0; });
+  const std::vector<FrictionLaw> friction = friction_laws(contact, materials);
+  rubs_ = std::any_of(friction.begin(), friction.end(),
+                      [](const FrictionLaw& law) { return law.at_rest > 0; });
   Kokkos::View<double* [2], Rows, Memory> moduli("breccia::contact::moduli", n);
   table_ = ContactTable("breccia::contact::table", n * n);
   const auto host = Kokkos::create_mirror_view(moduli);
@@ -68,13 +77,14 @@ void Contact<D>::read_tables(const Model<D>& model) {
     host(i, 1) = materials[i].density;
     for (std::size_t j = 0; j < n; ++j) {
       const double both = harmonic(own, model.p_wave_modulus(static_cast<Index>(j)));
-      table(i * n + j, 0) = friction[i * n + j];
+      table(i * n + j, 0) = friction[i * n + j].at_rest;
       table(i * n + j, 1) = rule_.fixed > 0 ? 1.0 : both / own;
       table(i * n + j, 2) = harmonic(materials[i].mu(), materials[j].mu()) / both;
     }
   }
   Kokkos::deep_copy(moduli, host);
   Kokkos::deep_copy(table_, table);
+  if (contact_remembers(*model.scene)) laws_ = to_device("breccia::contact::laws", friction);
   rule_.material = moduli;
   corner_stiffness_ = CornerNumbers<D>("breccia::contact::corner_stiffness",
                                        static_cast<std::size_t>(model.elements()));
@@ -127,8 +137,7 @@ void Contact<D>::act(Model<D>& model, const Clock& clock) {
   in.element_material = s.get<ElementMaterial>();
   if (s.has<FaceStatus>()) in.family = s.get<NodeFamily>();
   in.table = table_;
-  in.dynamic_share = dynamic_share_;
-  in.weakening_speed = weakening_speed_;
+  in.laws = laws_;
   in.materials = static_cast<Index>(model.materials.size());
   in.dt_before = clock.dt_before;
   in.keep = std::exp(-1 / kFading);

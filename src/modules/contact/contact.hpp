@@ -39,8 +39,8 @@ class Contact final : public Module<D> {
   ContactLists<D> lists_;
   ContactStiffness<D> rule_;
   ContactTable table_;
-  double dynamic_share_ = 1, weakening_speed_ = 0;
-  CornerNumbers<D> corner_stiffness_;  ///< of the pairs of that version, N/m
+  Kokkos::View<FrictionLaw*, Memory> laws_;  ///< as the table; empty: all are Coulomb's
+  CornerNumbers<D> corner_stiffness_;        ///< of the pairs of that version, N/m
   mutable std::int64_t stiffness_of_ = 0;
   bool smooth_ = true, distributed_ = false;
   bool rubs_ = false;  ///< some friction coefficient is above zero

@@ -23,4 +23,10 @@ struct ContactMemory {
                                   "depth, jump, energy, elastic slip, force and its viscous part"};
 };
 
+struct ContactRubbed {
+  using View = Kokkos::View<double* [kContactSlots][3], Rows, Memory>;
+  static constexpr FieldInfo info{"contact_rubbed", Entity::contact_point, "SI", Restart::yes,
+                                  "slip so far, slip rate and theta of the law of friction"};
+};
+
 }  // namespace breccia

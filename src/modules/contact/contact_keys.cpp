@@ -1,20 +1,27 @@
 #include "modules/contact/contact.hpp"
+#include "step/friction_keys.hpp"
 
 namespace breccia {
 
 namespace {
 
+void check_law(const Settings& friction, Problems& problems) {
+  check_friction(friction, "friction", problems);
+  if (friction.text("law") != "coulomb" && !(friction.number("friction") > 0))
+    problems.add(friction.error("friction", "is zero; " + friction.text("law") + " starts from it",
+                                "give the friction coefficient at rest"));
+}
+
 void check_contact_rules(const Settings& scene, Problems& problems) {
   if (!scene.has("contact")) return;
   const Settings& contact = scene.at("contact");
-  if (contact.has("dynamic_share") != contact.has("weakening_speed"))
-    problems.add(contact.error(contact.has("dynamic_share") ? "dynamic_share" : "weakening_speed",
-                               "friction falls by a share and over a speed",
-                               "give dynamic_share and weakening_speed"));
-  for (const Settings& pair : contact.list("pair"))
+  check_law(contact, problems);
+  for (const Settings& pair : contact.list("pair")) {
+    check_law(pair, problems);
     if (pair.texts("between").empty() || pair.texts("between").size() > 2)
       problems.add(pair.error("between", "a pair has two materials",
                               "write [\"a\", \"b\"], or [\"a\"] for a against itself"));
+  }
 }
 
 /// What forces are made of.
@@ -41,7 +48,7 @@ void declare_force_keys(SectionBuilder& contact) {
 
 void declare_pair_keys(Schema& schema) {
   SectionBuilder pair = schema.section("contact.pair[]");
-  pair.doc("Friction between two materials, where it differs.");
+  pair.doc("Friction between two materials, where it differs; with a law of its own.");
   pair.texts("between")
       .required()
       .names_one_of("material")
@@ -51,7 +58,8 @@ void declare_pair_keys(Schema& schema) {
       .at_least(0)
       .required()
       .example("0.6")
-      .doc("Friction coefficient.");
+      .doc("Friction coefficient at rest.");
+  add_friction_keys(pair);
 }
 
 }  // namespace
@@ -64,15 +72,10 @@ void declare_contact_keys(Schema& schema) {
       .at_least(0)
       .by_default(0.0)
       .example("0.3")
-      .doc("Friction coefficient between all materials.");
-  contact.number("dynamic_share", unit::none)
-      .between(0, 1)
-      .example("0.7")
-      .doc("Share of every friction coefficient that is left at speed; all of it if absent.");
-  contact.number("weakening_speed", unit::velocity)
-      .above(0)
-      .example("0.1 m/s")
-      .doc("Speed of sliding over which friction falls to that share, as exp(-V / this).");
+      .doc(
+          "Friction coefficient between all materials, at rest; of rate and state at the reference "
+          "speed in steady state.");
+  add_friction_keys(contact);
   contact.number("stiffness_factor", unit::none)
       .between(0.5, 1000)
       .by_default(5.0)

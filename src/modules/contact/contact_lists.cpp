@@ -33,7 +33,8 @@ constexpr std::int64_t kPatience = 16;
 
 template <int D>
 ContactHistory<D> ContactLists<D>::history(const Model<D>& model) {
-  return {model.store.template get<ContactElement>(), model.store.template get<ContactMemory<D>>()};
+  const Store& s = model.store;
+  return {s.get<ContactElement>(), s.get<ContactMemory<D>>(), s.get_or_empty<ContactRubbed>()};
 }
 
 template <int D>
@@ -275,6 +276,7 @@ void ContactLists<D>::carry(Model<D>& model, bool released) {
   const Index points = pairs_.points;
   make_room(spare_.element, points);
   make_room(spare_.state, points);
+  if (s.has<ContactRubbed>()) make_room(spare_.rubbed, points);
   carry_history<D>(s.get<ContactPoint>(), s.count(Entity::contact_point), history(model),
                    pairs_.point, points, spare_);
   if (released && s.has<InterfaceSlip<D>>()) {
@@ -287,6 +289,7 @@ void ContactLists<D>::carry(Model<D>& model, bool released) {
     in.face_code = s.get<FaceCode>();
     in.face_interface = s.get<FaceInterface>();
     in.slip = s.get<InterfaceSlip<D>>();
+    in.rubbed = s.get_or_empty<InterfaceRubbed<D>>();
     take_over<D>(in, pairs_, spare_);
   }
   if (points > s.capacity(Entity::contact_point))

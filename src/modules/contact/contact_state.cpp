@@ -94,7 +94,7 @@ std::size_t ContactLists<D>::bytes() const {
          memory_of(p.point, p.facet, p.pair_begin, p.target, p.own_begin, p.come_begin, p.come,
                    p.element, p.nodes, p.hit, p.pair_distance, p.pair_force, p.pair_weight,
                    p.point_force) +
-         memory_of(point_.constants, point_.material, spare_.element, spare_.state) +
+         memory_of(point_.constants, point_.material, spare_.element, spare_.state, spare_.rubbed) +
          memory_of(c.surface, c.height, c.level, c.edge, c.chosen, c.ring, c.nearest, c.nearer,
                    c.bubble, c.depth, c.gradient) +
          memory_of(b.bins.begin, b.bins.fill, b.bins.tag, b.bins.target, b.bins.piece, b.bins.box,

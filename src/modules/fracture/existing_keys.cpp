@@ -1,58 +1,11 @@
 // The keys of the laws of [[fractures]]; where these lie is in scene/schema_fractures.cpp.
 #include "modules/fracture/existing_laws.hpp"
 #include "modules/fracture/fracture_keys.hpp"
+#include "step/friction_keys.hpp"
 
 namespace breccia {
 
 namespace {
-
-void add_friction_keys(SectionBuilder& s) {
-  s.choice("law", {"coulomb", "static_dynamic", "slip_weakening", "velocity_weakening", "ageing",
-                   "slip_law"})
-      .by_default("coulomb")
-      .doc(
-          "coulomb: one coefficient; static_dynamic: falls with exp(-V / weakening_speed); "
-          "slip_weakening: falls in a line over weakening_slip; velocity_weakening: falls with "
-          "1 / (1 + V / weakening_speed); ageing, slip_law: rate and state.");
-  s.number("coefficient", unit::none)
-      .between(0, 10)
-      .required()
-      .example("0.6")
-      .doc("Friction at rest; of rate and state at the reference speed in steady state.");
-  s.number("dynamic", unit::none)
-      .between(0, 10)
-      .example("0.4")
-      .doc("Friction of the sliding fault, for the laws that weaken.");
-  s.number("weakening_slip", unit::length)
-      .above(0)
-      .example("0.4 m")
-      .doc("Slip over which slip_weakening goes down to `dynamic`.");
-  s.number("weakening_speed", unit::velocity)
-      .above(0)
-      .example("0.1 m/s")
-      .doc("Slip rate of static_dynamic and velocity_weakening.");
-  s.number("a", unit::none)
-      .above(0)
-      .at_most(1)
-      .example("0.010")
-      .doc("Rate and state: direct effect.");
-  s.number("b", unit::none)
-      .between(0, 1)
-      .example("0.015")
-      .doc("Rate and state: effect of the state.");
-  s.number("state_slip", unit::length)
-      .above(0)
-      .example("10 um")
-      .doc("Rate and state: slip over which the state evolves.");
-  s.number("reference_speed", unit::velocity)
-      .above(0)
-      .by_default("1 um/s")
-      .doc("Rate and state: slip rate at which friction in steady state is `coefficient`.");
-  s.number("state", unit::time)
-      .above(0)
-      .example("10 s")
-      .doc("Rate and state: state variable at the start; steady at the reference speed if absent.");
-}
 
 void add_patch_keys(Schema& schema) {
   auto s = schema.section("fractures[].patch[]")
@@ -89,6 +42,11 @@ void declare_existing_law_keys(Schema& schema) {
   auto friction = schema.section("fractures[].friction")
                       .effect("fracture")
                       .doc("Friction of closed fractures, which have no strength.");
+  friction.number("coefficient", unit::none)
+      .between(0, 10)
+      .required()
+      .example("0.6")
+      .doc("Friction at rest; of rate and state at the reference speed in steady state.");
   add_friction_keys(friction);
   friction.numbers("stress", unit::pressure)
       .doc(

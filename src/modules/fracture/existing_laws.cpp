@@ -2,6 +2,7 @@
 
 #include "mesh/geometry.hpp"
 #include "modules/fracture/face_grades.hpp"
+#include "step/friction_keys.hpp"
 #include "step/stress_view.hpp"
 
 #include <algorithm>
@@ -10,34 +11,10 @@ namespace breccia {
 
 namespace {
 
-FrictionKind kind_of(const std::string& word) {
-  if (word == "static_dynamic") return FrictionKind::static_dynamic;
-  if (word == "slip_weakening") return FrictionKind::slip_weakening;
-  if (word == "velocity_weakening") return FrictionKind::velocity_weakening;
-  if (word == "ageing") return FrictionKind::ageing;
-  return word == "slip_law" ? FrictionKind::slip_law : FrictionKind::coulomb;
-}
-
-FrictionLaw friction_of(const Settings& s) {
-  FrictionLaw law;
-  law.kind = kind_of(s.text("law"));
-  law.at_rest = s.number("coefficient");
-  law.sliding = s.has("dynamic") ? s.number("dynamic") : law.at_rest;
-  if (s.has("weakening_slip")) law.length = s.number("weakening_slip");
-  if (s.has("weakening_speed")) law.speed = s.number("weakening_speed");
-  if (!law.has_state()) return law;
-  law.length = s.number("state_slip");
-  law.speed = s.number("reference_speed");
-  law.a = s.number("a");
-  law.b = s.number("b");
-  law.state = s.has("state") ? s.number("state") : law.length / law.speed;
-  return law;
-}
-
 InterfaceLaw fault_of(const Settings& s) {
   InterfaceLaw law;
   law.fault = true;
-  law.friction = friction_of(s);
+  law.friction = read_friction(s, "coefficient");
   law.stiffness_factor = s.number("stiffness_factor");
   law.damping = s.number("damping");
   law.onset.tension = law.onset.cohesion = 1e30;  // its tips do not weaken their neighbours

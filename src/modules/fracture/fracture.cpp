@@ -8,6 +8,7 @@
 #include "modules/fracture/crack_pictures.hpp"
 #include "modules/fracture/existing_laws.hpp"
 #include "modules/fracture/fracture_fields.hpp"
+#include "step/friction_keys.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -58,6 +59,7 @@ void Fracture<D>::declare(Model<D>& model) {
   s.add<InterfaceBreakTime>(key());
   s.add<InterfaceStiffness>(key());
   if (contact_follows_) s.add<InterfaceSlip<D>>(key());
+  if (contact_remembers(*model.scene)) s.add<InterfaceRubbed<D>>(key());
 }
 
 template <int D>
@@ -192,8 +194,9 @@ Index Fracture<D>::act(const Model<D>& model, const Clock& clock) const {
   in.thickness = model.thickness;
   const InterfaceForceOut<D> out{s.get<InterfaceStates<D>>(), s.get<InterfaceEnergies<D>>(),
                                  s.get<InterfacePairForce<D>>(), s.get<InterfaceLife>()};
-  const FaultForceOut<D> at_fault{s.get_or_empty<InterfaceFaults<D>>(), out.state, out.energy,
-                                  out.force, out.life};
+  const FaultForceOut<D> at_fault{
+      s.get_or_empty<InterfaceFaults<D>>(), out.state, out.energy, out.force, out.life,
+      s.get_or_empty<InterfaceRubbed<D>>()};
   Index aged = 0;
   for (std::size_t l = 0; l < laws_.laws.size(); ++l) {
     in.list = lists_.list(l);
@@ -226,7 +229,8 @@ void Fracture<D>::collect_breaks(Model<D>& model, const Clock& clock) {
   const Index found = breaks.find(changed_);
   if (found > 0) {
     breaks.release(changed_, found, s.get<ElementNodes<D>>(), s.get<NodePosition<D>>(),
-                   s.get<InterfaceStates<D>>(), s.get_or_empty<InterfaceSlip<D>>());
+                   s.get<InterfaceStates<D>>(), s.get_or_empty<InterfaceSlip<D>>(),
+                   s.get_or_empty<InterfaceRubbed<D>>());
     const std::vector<Event> events = break_events(model, changed_, found, clock.time);
     events_.insert(events_.end(), events.begin(), events.end());
     released_ += found;
