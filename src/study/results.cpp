@@ -179,6 +179,21 @@ std::vector<Line> lines_of(const Study& study, const std::vector<double>& error)
   return lines;
 }
 
+/// The largest error of finer rungs on the ladders of a job, where it is above the target: then the
+/// job reached it by chance.
+double relapse(const Study& study, const std::vector<double>& error, const Target& target) {
+  double worst = 0;
+  for (std::size_t k = 0; k < study.knobs.size(); ++k) {
+    if (study.knobs[k].sizes.empty()) continue;
+    for (const auto& line : lines_along(k, study.jobs)) {
+      auto finer = std::find(line.begin(), line.end(), *target.job);
+      for (; finer != line.end(); ++finer)
+        if (error[*finer] > target.error) worst = std::max(worst, error[*finer]);
+    }
+  }
+  return worst;
+}
+
 /// Orders where the error falls along a ladder; how many ladders hardly move it.
 void say_orders(const Study& study, const Judged& judged, const std::vector<Line>& lines,
                 std::vector<std::string>& said) {
@@ -246,7 +261,11 @@ std::vector<std::string> sentences(const Study& study, const Judged& judged, con
   for (const Target& target : f.targets) {
     const std::string front = fmt::format("{}, {}: ", judged.name, percent(target.error));
     if (target.job) {
-      said.push_back(front + "the cheapest setting is " + setting(*target.job) + ".");
+      const double again = relapse(study, f.error, target);
+      const std::string chance =
+          again > 0 ? "; a finer rung has " + percent(again) + " again, so that chance has helped"
+                    : "";
+      said.push_back(front + "the cheapest setting is " + setting(*target.job) + chance + ".");
     } else {
       said.push_back(front + "none of these reached it" +
                      (f.best ? "; best " + setting(*f.best) : std::string()) + ".");

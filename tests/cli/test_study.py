@@ -123,6 +123,12 @@ class Ladder(Study):
         self.assertAlmostEqual(speed["references"][0], 0.5)
         self.assertLess(max(speed["errors"]), 1e-5)  # momentum is right on every mesh
 
+    def test_a_target_that_a_finer_rung_misses_again(self):
+        middle = STUDY.replace('"finest"', '"5.34447 mJ"')  # what [8, 2] gives
+        text = self.study(text=SCENE + middle).stdout
+        self.assertRegex(text, r"energy, 0\.1 %: the cheapest setting is cells \[8, 2\] .*; a finer rung has "
+                               r"0\.1\d* % again, so that chance has helped\.")
+
     def test_a_curve_against_a_table(self):
         # The integral of a smooth ramp.
         rows = [f"{20e-6 * s / 40:.9g}, {(s / 40) ** 3 - (s / 40) ** 4 / 2:.9g}" for s in range(41)]
