@@ -26,6 +26,8 @@ Schema sample() {
   body.vector("velocity", unit::velocity).components_may_be("free");
   body.lines("holes", unit::length);
   body.texts("words");
+  body.values("rungs");
+  body.pairs("given");
   body.text("file").names_file();
   auto mesh = schema.section("body[].mesh").always();
   mesh.number("size", unit::length).by_default("2 mm");
@@ -45,6 +47,8 @@ holes = [[[0, 0], [0.3, 1e-7]]]
 words = ["x", "y z"]
 mesh = { size = "0.5 mm", refine = [{ size = "0.1 mm" }, { size = 3 }] }
 [[body]]
+rungs = ["2 mm", 3, [1, 2.5], true]
+given = { length = "2 m", factor = 0.5 }
 [material.granite]
 density = "2650 kg/m3"
 elastic = { young = "60 GPa" }
@@ -115,7 +119,7 @@ TEST(CoreSettings, ErrorsAboutAKeyHaveItsPlace) {
   EXPECT_EQ(s.list("body")[1].place("mesh"), s.list("body")[1].place());
   const Error e = s.at("material.granite").error("elastic.young", "is soft", "rock is stiff");
   EXPECT_STREQ(e.what(),
-               "folder/s.toml:14: material.granite.elastic.young: is soft\n  rock is stiff");
+               "folder/s.toml:16: material.granite.elastic.young: is soft\n  rock is stiff");
 }
 
 TEST(CoreSettings, TheWrittenSceneGivesTheSameSettings) {
@@ -128,6 +132,13 @@ TEST(CoreSettings, TheWrittenSceneGivesTheSameSettings) {
   EXPECT_EQ(again.text("title"), "a \"quoted\" \\ title\nof two lines");
   EXPECT_THAT(again.list("body")[0].components("velocity"), ElementsAre(std::nullopt, -0.1));
   EXPECT_EQ(again.list("body")[0].at("mesh").list("refine")[1].number("size"), 3);
+}
+
+TEST(CoreSettings, ValuesAndPairsAreTextsAsSetTakesThem) {
+  const Settings s = resolved(scene);
+  const Settings& body = s.list("body").back();
+  EXPECT_THAT(body.texts("rungs"), ElementsAre("2 mm", "3", "[1, 2.5]", "true"));
+  EXPECT_THAT(body.texts("given"), ElementsAre("length = 2 m", "factor = 0.5"));
 }
 
 TEST(CoreSettings, RemarksTellUnitAndOrigin) {
