@@ -178,6 +178,22 @@ TEST(Cost, ContactOfAWholeBodyIsALookNowAndThen) {
   EXPECT_LE(log.record().launches.at("breccia::contact::node_way"), 51);
 }
 
+// A fragment that flies off does not make all others search.
+TEST(Cost, FragmentsThatFlyClearNeedNoSearch) {
+  BlockScene scene = with({kEffects[3].section});
+  scene.more +=
+      "[[body]]\nname = \"fragment\"\nmaterial = \"m\"\nvelocity = [0, 500]\n"
+      "shape = { rectangle = { corner = [0.4, 1.05], size = [0.1, 0.1] } }\n"
+      "mesh = { generator = \"structured\", cells = [2, 2] }\n";
+  SceneWorld<2> world(scene.text());
+  world.simulation.start();
+  world.steps(60);
+  const KokkosLog log;
+  world.steps(400);
+  EXPECT_LE(log.record().launches.at("breccia::contact::node_way"), 60);
+  EXPECT_EQ(log.record().launches.count("breccia::contact::boxes"), 0u);
+}
+
 std::string hash_after(const BlockScene& scene, int steps) {
   SceneWorld<2> world(scene.text());
   world.simulation.start();

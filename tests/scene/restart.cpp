@@ -164,6 +164,21 @@ TEST(Restart, BurstingBlockGoesOnBitForBit) {
   check_bursting<3>(400, 100);
 }
 
+// A fragment that flies off, and one that flies on to a wall: before, on the way and there.
+TEST(Restart, FlyingPiecesGoOnBitForBit) {
+  BlockScene scene;
+  scene.jitter = 0.3;
+  scene.more =
+      "[contact]\nfriction = 0.3\n"
+      "[[body]]\nname = \"off\"\nmaterial = \"m\"\nvelocity = [0, 500]\n"
+      "shape = { rectangle = { corner = [0.4, 1.05], size = [0.1, 0.1] } }\n"
+      "mesh = { generator = \"structured\", cells = [2, 2] }\n"
+      "[[body]]\nname = \"on\"\nmaterial = \"m\"\nvelocity = [-300, 0]\nspin = 5\n"
+      "shape = { rectangle = { corner = [2.2, 0.4], size = [0.1, 0.1] } }\n"
+      "mesh = { generator = \"structured\", cells = [2, 2] }\n";
+  for (const int before : {1, 40, 100, 300}) check_restart<2>(scene, before, 100);
+}
+
 // A rigid hammer beats a block that stands on a turning rigid table.
 TEST(Restart, RigidBodiesGoOnBitForBit) {
   BlockScene scene;

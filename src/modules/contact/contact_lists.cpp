@@ -174,8 +174,20 @@ template <int D>
 bool ContactLists<D>::far(Model<D>& model, const Clock& clock, const ContactWay& now) {
   const double room = 0.5 * skin_ - now.way;
   if (room < 0) {
+    bool late = -room > now.speed * clock.dt_before;
+    if (flyers_.worth_a_look()) {
+      const FlyingLook look =
+          flyers_.look(model, clock, surface_, skin_, clock.step - last_look_, kLongestBlink);
+      late = look.late;
+      if (look.steps > 0) {
+        chase_ = kSearchSteps * look.speed * clock.dt;
+        last_look_ = clock.step;
+        next_look_ = clock.step + look.steps;
+        return false;
+      }
+    }
     // At the step before, with which the list was still used, the node was this much nearer.
-    if (clock.step > last_look_ + 1 && -room > now.speed * clock.dt_before && !model.stop.raised) {
+    if (clock.step > last_look_ + 1 && late && !model.stop.raised) {
       model.stop.raised = true;
       model.stop.cause = fmt::format(
           "the contact search came too late at time {:.6g} s (step {}): a surface node moved by "
@@ -254,6 +266,7 @@ void ContactLists<D>::make_pairs(Model<D>& model, const ContactStiffness<D>& rul
   take_contact_places<D>(model.store.template get<NodePosition<D>>(), surface_);
   const double reach = by_parts_ ? contact_part_reach(surface_) : 0;
   search_contacts(surface_, skin_ + reach, search_scratch_, pairs_);
+  flyers_.start();
   listed_splits_ = -1;
   attach(model, rule);
 }

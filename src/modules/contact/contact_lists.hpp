@@ -3,6 +3,7 @@
 #include "loops/contact_release.hpp"
 #include "loops/contact_search.hpp"
 #include "loops/contact_surface.hpp"
+#include "modules/contact/contact_flyers.hpp"
 #include "step/clock.hpp"
 #include "step/model.hpp"
 #include "step/observation.hpp"
@@ -19,7 +20,7 @@ struct ContactListKeys {
 /// Surface, targets and candidate pairs of a model, and when they are made anew (ALGORITHMS,
 /// at once when the sides of a released face meet, and before long while it is open;
 /// otherwise before any node has moved by half the skin since the last search. Nodes are looked at
-/// every step, or less often while they are slow.
+/// every step, or less often while they are slow. Pieces that fly clear of all others do not count.
 template <int D>
 class ContactLists {
  public:
@@ -65,6 +66,7 @@ class ContactLists {
   ContactSignals signals_;
   ContactScratch<D> scratch_;
   ContactSearchScratch<D> search_scratch_;
+  ContactFlyers<D> flyers_;
   ContactHistory<D> spare_;
   Array<Index> free_facet_, old_facet_;
   Array<Index> piece_;         ///< per element, see whole_pieces

@@ -55,6 +55,7 @@ void ContactLists<D>::archive(Archive& archive) {
   chase_ = reach[1];
   archive.integer("contact.last_look", last_look_);
   archive.integer("contact.next_look", next_look_);
+  flyers_.archive(archive);
   std::int64_t deeper = deeper_exist_ ? 1 : 0;
   archive.integer("contact.deeper_exist", deeper);
   deeper_exist_ = deeper != 0;
@@ -88,7 +89,8 @@ std::size_t ContactLists<D>::bytes() const {
   const auto& p = pairs_;
   const auto& c = scratch_;
   const auto& b = search_scratch_;
-  return memory_of(s.facet, s.facet_target, s.area, s.height, s.target, s.rim, s.piece, s.nodes,
+  return flyers_.bytes() +
+         memory_of(s.facet, s.facet_target, s.area, s.height, s.target, s.rim, s.piece, s.nodes,
                    s.place, s.depth, s.bubble, s.slope, old_facet_, free_facet_, known_, fresh_,
                    piece_, cut_, nodes_.node, nodes_.mark, nodes_.place) +
          memory_of(p.point, p.facet, p.pair_begin, p.target, p.own_begin, p.come_begin, p.come,
