@@ -13,11 +13,12 @@ struct ContactPointData {
   Array<Index> material;
 };
 
-/// Numbers of two materials in contact: (contactor * materials + target, 3).
+/// Numbers of two materials in contact: (contactor * materials + target, 4).
 ///   0: friction coefficient at rest
 ///   1: stiffness of the pair over that of the contactor's material against itself
 ///   2: tangential over normal stiffness
-using ContactTable = Kokkos::View<double* [3], Rows, Memory>;
+///   3: dashpot of the pair over that of the contactor's material against itself
+using ContactTable = Kokkos::View<double* [4], Rows, Memory>;
 
 /// Things that the host looks at now and then.
 struct ContactSignals {

@@ -65,9 +65,11 @@ ContactParameters contact_parameters(const ContactForceIn<D>& in, Index a, Index
   const double share = in.table(pair, 1), ratio = in.table(pair, 2);
   ContactParameters p;
   p.normal = in.point.constants(a, 0) * share;
-  p.damping = in.point.constants(a, 1) * Kokkos::sqrt(share);
   p.tangential = p.normal * ratio;
-  p.tangential_damping = p.damping * Kokkos::sqrt(ratio);
+  // A dashpot that takes longer than a step makes energy: a large face that presses small elements.
+  const double damping = in.point.constants(a, 1) * in.table(pair, 3);
+  p.damping = Kokkos::min(damping, p.normal * in.dt_before);
+  p.tangential_damping = Kokkos::min(damping * Kokkos::sqrt(ratio), p.tangential * in.dt_before);
   p.friction = in.table(pair, 0);
   if (in.laws.extent(0) > 0) p.law = &in.laws(pair);
   return p;

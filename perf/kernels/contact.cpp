@@ -163,6 +163,7 @@ class PressedLayers {
           table(0, 0) = 0.3;
           table(0, 1) = 1;
           table(0, 2) = 0.3;
+          table(0, 3) = 1;
         });
     force_in_.surface = surface;
     force_in_.pairs = pairs;

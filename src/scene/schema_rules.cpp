@@ -42,6 +42,9 @@ void check_generator(const Settings& body, int dimension, Problems& problems) {
     problems.add(mesh.error("generator", "only a rectangle or a box has a structured mesh",
                             "leave generator out: Gmsh meshes every shape"));
   }
+  if (body.has("part_of"))
+    problems.add(body.error("part_of", "a structured mesh does not grow together with others",
+                            "leave generator out: Gmsh meshes all parts as one"));
   for (const char* word : {"refine", "embed"}) {
     if (!mesh.has(word)) continue;
     problems.add(mesh.error("generator", std::string("a structured mesh cannot have ") + word,

@@ -138,6 +138,7 @@ void ContactWorld<D>::search() {
   table(0, 0) = friction;
   table(0, 1) = 1;
   table(0, 2) = 0.3;
+  table(0, 3) = 1;
   Kokkos::deep_copy(table_, table);
 }
 

@@ -80,6 +80,9 @@ void Contact<D>::read_tables(const Model<D>& model) {
       table(i * n + j, 0) = friction[i * n + j].at_rest;
       table(i * n + j, 1) = rule_.fixed > 0 ? 1.0 : both / own;
       table(i * n + j, 2) = harmonic(materials[i].mu(), materials[j].mu()) / both;
+      // Critical for both, hence for the lighter one; 1 exactly where they are alike.
+      const double mass = 2 / (1 + materials[i].density / materials[j].density);
+      table(i * n + j, 3) = std::sqrt(table(i * n + j, 1) * mass);
     }
   }
   Kokkos::deep_copy(moduli, host);
