@@ -239,12 +239,13 @@ def table(rows):
     for path in dict.fromkeys(row[0].path for row in rows):
         mine = [row for row in rows if row[0].path == path]
         case, steps = mine[0][0], sorted({row[2] for row in mine})
-        shown = f"{steps[0]:,}".replace(",", " ") if len(steps) == 1 else f"{steps[0]:,} to {steps[-1]:,}".replace(",", " ")
-        verdict = "holds" if all(row[5] == "holds" for row in mine) else sorted({row[5] for row in mine})[0]
+        shown = " to ".join(f"{n:,}".replace(",", " ") for n in dict.fromkeys((steps[0], steps[-1]))) if steps[-1] else ""
+        balance = f"{max(row[4] for row in mine):.0e}" if steps[-1] else ""
+        verdict = next((row[5] for row in mine if row[5] == "falls short"), mine[0][5])
         runs = f" ({len(mine)} runs)" if len(mine) > 1 else ""
         yield (
             f"| `{case.name}`{runs} | {case.number} | {case.said('title')}: {case.said('expected')} | {shown} "
-            f"| {sum(row[3] for row in mine):.1f} | {max(row[4] for row in mine):.0e} | {verdict} |"
+            f"| {sum(row[3] for row in mine):.1f} | {balance} | {verdict} |"
         )
 
 
