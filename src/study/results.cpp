@@ -179,16 +179,16 @@ std::vector<Line> lines_of(const Study& study, const std::vector<double>& error)
   return lines;
 }
 
-/// The largest error of finer rungs on the ladders of a job, where it is above the target: then the
-/// job reached it by chance.
+/// The largest error of later rungs on the ladders of a job, where it is above the target: then the
+/// job may have reached it by chance.
 double relapse(const Study& study, const std::vector<double>& error, const Target& target) {
   double worst = 0;
   for (std::size_t k = 0; k < study.knobs.size(); ++k) {
     if (study.knobs[k].sizes.empty()) continue;
     for (const auto& line : lines_along(k, study.jobs)) {
-      auto finer = std::find(line.begin(), line.end(), *target.job);
-      for (; finer != line.end(); ++finer)
-        if (error[*finer] > target.error) worst = std::max(worst, error[*finer]);
+      auto later = std::find(line.begin(), line.end(), *target.job);
+      for (; later != line.end(); ++later)
+        if (error[*later] > target.error) worst = std::max(worst, error[*later]);
     }
   }
   return worst;
@@ -262,9 +262,9 @@ std::vector<std::string> sentences(const Study& study, const Judged& judged, con
     const std::string front = fmt::format("{}, {}: ", judged.name, percent(target.error));
     if (target.job) {
       const double again = relapse(study, f.error, target);
-      const std::string chance =
-          again > 0 ? "; a finer rung has " + percent(again) + " again, so that chance has helped"
-                    : "";
+      const std::string chance = again > 0 ? "; a later rung of its ladder has " + percent(again) +
+                                                 " again, so chance may have helped"
+                                           : "";
       said.push_back(front + "the cheapest setting is " + setting(*target.job) + chance + ".");
     } else {
       said.push_back(front + "none of these reached it" +
