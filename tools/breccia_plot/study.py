@@ -1,6 +1,7 @@
 """Pictures of `breccia study`: error against seconds and against element-steps."""
 import json
 import math
+import textwrap
 
 import matplotlib.pyplot as plt
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
@@ -101,7 +102,7 @@ def draw_panel(axes, study, quantity, costs, front_known, named):
     for place, ((knob, others), points) in enumerate(series.items()):
         colour, mark = style.LINES[place % len(style.LINES)], MARKS[place // len(style.LINES) % len(MARKS)]
         order = order_of(study, quantity, knob, others)
-        words = [others] if others else []
+        words = [others or study["knobs"][knob]["name"]]
         words += [style.minus(f"order {order:.1f}")] if order is not None else []
         axes.loglog(
             [p[0] for p in points], [p[1] for p in points], marker=mark, color=colour, markersize=5.5,
@@ -122,8 +123,10 @@ def draw_panel(axes, study, quantity, costs, front_known, named):
                   label="not beaten in both", zorder=3)
     mark_targets(axes, [p[1] for p in shown])
     axes.yaxis.set_major_formatter(FuncFormatter(percent))
+    low, high = min(p[1] for p in shown), max(p[1] for p in shown)
+    axes.yaxis.set_minor_formatter(FuncFormatter(percent) if high < 5 * low else NullFormatter())
     axes.margins(x=0.16, y=0.12)
-    axes.set_ylabel(f"error of {quantity['name']}" if named else "error")
+    axes.set_ylabel(textwrap.fill(f"error of {quantity['name']}", 34) if named else "error")
     if axes.get_legend_handles_labels()[1]:
         axes.legend(fontsize=8.5, loc="best", frameon=True, framealpha=0.85, edgecolor="none")
 
@@ -151,5 +154,6 @@ def draw(study, path):
         row[1].set_xlabel("elements × steps")
         if row[1].get_legend():
             row[1].get_legend().remove()
-    figure.suptitle(study["title"] or study["name"], x=0.01, ha="left", weight="bold", size=13)
+    knob = study["knobs"][ladder_knob(study)]["name"]
+    figure.suptitle(f"{study['title'] or study['name']}  (points: {knob})", x=0.01, ha="left", weight="bold", size=13)
     style.save(figure, path, 100)
