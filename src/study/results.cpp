@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/expression.hpp"
+#include "core/text.hpp"
 #include "io/json_reader.hpp"
 #include "io/number_table.hpp"
 #include "scene/verdict.hpp"
@@ -227,12 +228,20 @@ double seconds_of(const Study& study, const JobResult& outcome) {
   return median(study.by_processor ? outcome.processor : outcome.wall);
 }
 
-double value_of(const Judged& judged, const std::filesystem::path& folder) {
-  const Evaluated job(folder);
-  const double value = job.value(judged);
-  const bool finest = judged.against == Judged::Against::finest;
-  if (!finest) scale_of(judged, job, job.reference(judged));
-  return value;
+void check_names(const Judged& judged, const std::filesystem::path& folder) {
+  const Results results = read_results(folder);
+  const std::vector<std::string> known = quantities_of(results).names;
+  std::vector<std::string> formulas{judged.value};
+  if (judged.against == Judged::Against::value) formulas.push_back(judged.reference);
+  if (!judged.scale.empty()) formulas.push_back(judged.scale);
+  if (judged.curve_x != "time" && !judged.curve_x.empty()) formulas.push_back(judged.curve_x);
+  for (const std::string& formula : formulas) {
+    for (const std::string& name : Expression(formula).names()) {
+      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      throw Error("", "this run has no '" + name + "'." + did_you_mean(name, known),
+                  "docs/output.md lists columns and results; sensors add theirs");
+    }
+  }
 }
 
 Findings find(const Study& study, const Judged& judged, const Runs& runs) {

@@ -39,9 +39,8 @@ struct Findings {
 /// Median seconds of a job, as the study counts them.
 double seconds_of(const Study& study, const JobResult& outcome);
 
-/// Value of a quantity in a finished job; for a curve its distance from the table.
-/// \throws Error with an empty place where it cannot be evaluated.
-double value_of(const Judged& judged, const std::filesystem::path& folder);
+/// \throws Error with an empty place when a formula speaks of what a finished job does not have.
+void check_names(const Judged& judged, const std::filesystem::path& folder);
 
 Findings find(const Study& study, const Judged& judged, const Runs& runs);
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 namespace breccia {
@@ -25,14 +26,15 @@ int list_jobs(const Study& study) {
   return 0;
 }
 
-/// The first finished job shows a formula that no job can answer, before all others have run.
+/// The first finished job shows a name that no job knows, before all others have run. A formula
+/// without a value there, such as an arrival on a mesh too coarse, may have one in others.
 Inspector first_look(const Study& study) {
   return [&study, seen = false](std::size_t job) mutable {
     if (seen) return;
     seen = true;
     for (const Judged& judged : study.quantities) {
       try {
-        value_of(judged, study.output / study.jobs[job].folder);
+        check_names(judged, study.output / study.jobs[job].folder);
       } catch (const Error& e) {
         throw Error("study.quantity",
                     judged.name + ": cannot be evaluated in the job '" + study.jobs[job].label +
@@ -41,6 +43,26 @@ Inspector first_look(const Study& study) {
       }
     }
   };
+}
+
+/// Tells why a quantity has nothing to teach.
+bool says_nothing(const Judged& judged, const Findings& findings) {
+  const auto finite = [](double v) { return std::isfinite(v); };
+  const auto& values = findings.value;
+  const auto first = std::find_if(values.begin(), values.end(), finite);
+  if (first == values.end()) {
+    const auto spoken = [](const std::string& note) { return !note.empty(); };
+    const auto note = std::find_if(findings.note.begin(), findings.note.end(), spoken);
+    log::error(judged.name + ": has a value in no job" +
+               (note == findings.note.end() ? "" : ": " + *note));
+    return true;
+  }
+  if (!findings.constant) return false;
+  log::error(
+      fmt::format("{}: the value is {:.6g} in all jobs; the knobs do not move it\n  choose a "
+                  "quantity that the knobs change, or knobs that change the quantity",
+                  judged.name, *first));
+  return true;
 }
 
 int verdict(const Study& study, const Runs& runs, const std::vector<Findings>& findings) {
@@ -54,14 +76,8 @@ int verdict(const Study& study, const Runs& runs, const std::vector<Findings>& f
     log::error("no job is complete\n  log.txt in the folder of a job says why it ended");
     return 1;
   }
-  for (std::size_t q = 0; q < findings.size(); ++q) {
-    if (!findings[q].constant) continue;
-    log::error(
-        fmt::format("{}: the value is {:.6g} in all jobs; the knobs do not move it\n  choose a "
-                    "quantity that the knobs change, or knobs that change the quantity",
-                    study.quantities[q].name, findings[q].value[*findings[q].best]));
-    return 1;
-  }
+  for (std::size_t q = 0; q < findings.size(); ++q)
+    if (says_nothing(study.quantities[q], findings[q])) return 1;
   return 0;
 }
 

@@ -237,6 +237,15 @@ class Trouble(Study):
         text = STUDY.replace('"final(IE_elastic)"', '"nodes - nodes + 3"')
         result = self.study(text=SCENE + text, status=1)
         self.assertIn("the value is 3 in all jobs; the knobs do not move it", result.stderr)
+        result = self.study(text=SCENE + text.replace(" + 3", ""), status=1)
+        self.assertIn("the value is 0 in all jobs", result.stderr)
+
+    def test_a_quantity_without_a_value(self):
+        # Coarse jobs may have no arrival where finer ones have; here none has.
+        text = STUDY.replace('"final(IE_elastic)"', '"arrival(all.vx, 1 m/s)"')
+        result = self.study(text=SCENE + text, status=1)
+        self.assertIn("energy: has a value in no job: ", result.stderr)
+        self.assertEqual(len(self.times()), 3)
 
     def test_a_formula_without_an_answer_ends_it_at_the_first_job(self):
         result = self.study(text=SCENE + STUDY.replace("IE_elastic", "IE_elastik"), status=2)
