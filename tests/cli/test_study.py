@@ -15,7 +15,8 @@ import time
 import unittest
 
 EXECUTABLE = ""
-PLOT = pathlib.Path(__file__).resolve().parents[2] / "tools" / "plot"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PLOT = ROOT / "tools" / "plot"
 
 # A free bar of some elements that a push sets in motion: its momentum is known, its waves are not resolved.
 SCENE = """\
@@ -232,6 +233,18 @@ class Resume(Study):
         self.assertEqual([job["state"] for job in self.found()["jobs"]], ["complete", "complete", "not run"])
 
 
+class Given(unittest.TestCase):
+    def test_the_studies_of_the_tree_are_right(self):
+        scenes = sorted((ROOT / "perf" / "accuracy").glob("*.toml"))
+        self.assertGreaterEqual(len(scenes), 12)
+        for scene in scenes:
+            with self.subTest(scene.name):
+                result = subprocess.run([EXECUTABLE, "study", str(scene), "--list"], capture_output=True, text=True,
+                                        timeout=60)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertGreaterEqual(len(result.stdout.splitlines()), 3)
+
+
 class Trouble(Study):
     def test_a_quantity_that_is_constant(self):
         text = STUDY.replace('"final(IE_elastic)"', '"nodes - nodes + 3"')
@@ -254,7 +267,7 @@ class Trouble(Study):
 
     def test_solutions_are_those_of_the_page(self):
         result = subprocess.run([EXECUTABLE, "study", "--solutions"], capture_output=True, text=True, timeout=60)
-        page = pathlib.Path(__file__).resolve().parents[2] / "docs" / "study.md"
+        page = ROOT / "docs" / "study.md"
         self.assertIn(result.stdout, page.read_text(encoding="utf-8"))
 
 
