@@ -15,7 +15,7 @@ struct ContactForceLoop {
 
   /// The point, its memory on entry and on exit.
   struct Point {
-    Vec<D> x, v, instead;
+    Vec<D> x, v, inwards;
     Index element[kContactSlots];
     ContactState<D> old[kContactSlots];
     Index next_element[kContactSlots];
@@ -55,10 +55,10 @@ struct ContactForceLoop {
 
   KOKKOS_FUNCTION
   bool joined(Index t, Index other) const {
+    bool is = false;
     for (int a = 0; a <= D; ++a)
-      for (int b = 0; b <= D; ++b)
-        if (in.surface.nodes(t, a) == in.surface.nodes(other, b)) return true;
-    return false;
+      for (int b = 0; b <= D; ++b) is |= in.surface.nodes(t, a) == in.surface.nodes(other, b);
+    return is;
   }
 
   /// The target that the point was in and still is: then it is in none of those that hang together
@@ -76,16 +76,23 @@ struct ContactForceLoop {
   KOKKOS_FUNCTION
   void load(Index a, Point& point) const {
     const int q = in.pairs.point(a) % kFacePoints<D>;
-    point.x = point.v = point.force = Vec<D>::zero();
-    Vec<D> x[D];
+    Vec<D> x[D], v[D];
+    double w[D];
     for (int k = 0; k < D; ++k) {
       const Index n = in.pairs.nodes(a, k);
       x[k] = row<D>(in.x, n);
-      point.x += x[k] * face_weight<D>(q, k, in.surface.own_weight);
-      point.v += row<D>(in.v, n) * face_weight<D>(q, k, in.surface.own_weight);
+      v[k] = row<D>(in.v, n);
+      w[k] = face_weight<D>(q, k, in.surface.own_weight);
     }
-    point.instead = face_normal(x);
-    point.instead *= -1 / norm(point.instead);
+    Vec<D> at = x[0] * w[0], way = v[0] * w[0];
+    for (int k = 1; k < D; ++k) {
+      at += x[k] * w[k];
+      way += v[k] * w[k];
+    }
+    point.x = at;
+    point.v = way;
+    point.inwards = -1 * face_normal(x);
+    point.force = Vec<D>::zero();
     for (int s = 0; s < kContactSlots; ++s) {
       point.element[s] = out.history.element(a, s);
       if (point.element[s] != kNone) point.old[s] = load_state(out.history, a, s);
@@ -153,7 +160,7 @@ struct ContactForceLoop {
     ContactMotion<D> motion;
     motion.phi = depth.phi;
     const ContactDirection<D> direction =
-        contact_direction(potential, l, depth.edge, inverted, in.smooth, point.instead);
+        contact_direction(potential, l, depth.edge, inverted, in.smooth, point.inwards);
     motion.normal = direction.normal;
     motion.slope = direction.slope;
     motion.velocity = point.v;

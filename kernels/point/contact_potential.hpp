@@ -141,7 +141,8 @@ struct ContactDirection {
 };
 
 /// Along the smooth gradient, or (`smooth` false) along the exact gradient of phi in the element.
-/// When both are too short, along `instead` (the reversed normal of the contactor's face).
+/// When both are too short, along `instead` of any length (the reversed normal of the contactor's
+/// face).
 template <int D>
 KOKKOS_FUNCTION
 ContactDirection<D> contact_direction(const ContactPotential<D>& potential,
@@ -158,7 +159,7 @@ ContactDirection<D> contact_direction(const ContactPotential<D>& potential,
   const Vec<D> g = gradient_in_space<D>(inverse_edges, edge);
   const double length = norm(g);
   if (length >= kShortGradient) return {g * (-1 / length), length};
-  return {instead, 1};
+  return {instead * (1 / norm(instead)), 1};
 }
 
 }  // namespace breccia

@@ -65,10 +65,53 @@ int side_of_face(const Vec<D> (&x)[D + 1], const Index (&node)[D + 1], int f, co
   }
 }
 
+/// Products that tell on which side of each face q lies: the barycentric coordinates of q times the
+/// determinant of the edges.
+KOKKOS_INLINE_FUNCTION
+void face_products(const Vec<2> (&edge)[2], const Vec<2>& reach, double (&s)[3]) {
+  s[1] = cross(reach, edge[1]);
+  s[2] = cross(edge[0], reach);
+  s[0] = cross(edge[0], edge[1]) - s[1] - s[2];
+}
+KOKKOS_INLINE_FUNCTION
+void face_products(const Vec<3> (&edge)[3], const Vec<3>& reach, double (&s)[4]) {
+  const Vec<3> across = cross(edge[1], edge[2]), lever = cross(edge[0], reach);
+  s[1] = dot(reach, across);
+  s[2] = dot(lever, edge[2]);
+  s[3] = -dot(lever, edge[1]);
+  s[0] = dot(edge[0], across) - s[1] - s[2] - s[3];
+}
+
+/// Whether q lies in the positively oriented simplex, as far as rounding lets plain products tell:
+/// +1 inside, -1 outside, 0 too near a face to say.
+template <int D>
+KOKKOS_INLINE_FUNCTION
+int clear_side(const Vec<D> (&x)[D + 1], const Vec<D>& q) {
+  constexpr double kRounding = 1e-13;  // some 500 units in the last place
+  Vec<D> edge[D];
+  const Vec<D> reach = q - x[0];
+  double size = 0;
+  for (int d = 0; d < D; ++d) {
+    size = Kokkos::max(size, Kokkos::abs(reach[d]));
+    for (int j = 0; j < D; ++j) {
+      edge[j][d] = x[j + 1][d] - x[0][d];
+      size = Kokkos::max(size, Kokkos::abs(edge[j][d]));
+    }
+  }
+  double s[D + 1];
+  face_products(edge, reach, s);
+  double least = s[0];
+  for (int f = 1; f <= D; ++f) least = Kokkos::min(least, s[f]);
+  const double doubt = kRounding * (D == 2 ? size * size : size * size * size);
+  return least > doubt ? 1 : (least < -doubt ? -1 : 0);
+}
+
 /// True when q lies in the positively oriented simplex; exactly one element of a mesh claims q.
 template <int D>
 KOKKOS_FUNCTION
 bool claims(const Vec<D> (&x)[D + 1], const Index (&node)[D + 1], const Vec<D>& q) {
+  const int clear = clear_side<D>(x, q);
+  if (clear != 0) return clear > 0;
   for (int f = 0; f <= D; ++f)
     if (side_of_face<D>(x, node, f, q) < 0) return false;
   return true;
