@@ -55,7 +55,7 @@ struct Candidates {
       if (l[f] < 0 && l[f] * l[f] > skin * skin * norm2(gradient)) return false;
       within = within && l[f] >= 0;
     }
-    return within || square_distance_to_surface<D>(x, q, l) <= skin * skin;
+    return within || square_distance_from_outside<D>(x, q, l) <= skin * skin;
   }
 
   KOKKOS_FUNCTION
@@ -65,20 +65,21 @@ struct Candidates {
     return in;
   }
 
-  /// Calls f(t) for each target whose box holds a point at q and that is not of its own piece, if
-  /// that cannot touch itself.
+  /// Calls f(t) for each target whose box holds a point at q, that hangs apart from it and is not
+  /// of its own piece, if that cannot touch itself.
   template <class F>
   KOKKOS_FUNCTION
   void each(Index point, const Vec<D>& q, const F& f) const {
     const ContactGrid<D> grid{bins.cell, bins.buckets};
-    const Index piece = surface.piece(surface.facet_target(point / kFacePoints<D>));
+    const Index facet = point / kFacePoints<D>, piece = surface.piece(surface.facet_target(facet));
     const Index own = piece == kNone ? kNone - 1 : piece;
     for (int level = 0; level < GridShape<D>::levels; ++level) {
       if ((bins.levels & (1u << level)) == 0) continue;
       const std::uint64_t tag = grid.tag_at(level, q);
       const Index bucket = grid.bucket(tag);
       for (Index k = bins.begin(bucket); k < bins.begin(bucket + 1); ++k)
-        if (bins.piece(k) != own && bins.tag(k) == tag && in_box(q, bins.target(k)))
+        if (bins.piece(k) != own && bins.tag(k) == tag && in_box(q, bins.target(k)) &&
+            apart(facet, bins.target(k)))
           f(bins.target(k));
     }
   }
@@ -90,11 +91,16 @@ template <int D>
 Index find_candidates(const Candidates<D>& find, Index all_points,
                       ContactSearchScratch<D>& scratch) {
   make_room(scratch.count, all_points);
+  make_room(scratch.first, all_points);
   const Array<Index> count = scratch.count;
+  const auto first = scratch.first;
   for_each(
       "breccia::contact::count_boxes", all_points, KOKKOS_LAMBDA(Index p) {
         Index n = 0;
-        find.each(p, find.place(p), [&](Index) { ++n; });
+        find.each(p, find.place(p), [&](Index t) {
+          if (n < kFirstBoxes) first(p, n) = t;
+          ++n;
+        });
         count(p) = n;
       });
   const Index points = list_where(
@@ -111,9 +117,14 @@ Index find_candidates(const Candidates<D>& find, Index all_points,
         const Index p = active(a);
         const Vec<D> q = find.place(p);
         Index k = begin(a);
-        find.each(p, q, [&](Index t) {
-          if (find.apart(p / kFacePoints<D>, t) && find.near(q, t)) found(k++) = t;
-        });
+        const auto keep = [&](Index t) {
+          if (find.near(q, t)) found(k++) = t;
+        };
+        if (count(p) > kFirstBoxes) {
+          find.each(p, q, keep);
+        } else {
+          for (Index n = 0; n < count(p); ++n) keep(first(p, n));
+        }
         sort_list(&found(begin(a)), k - begin(a));
         count(p) = k - begin(a);
       });

@@ -19,11 +19,15 @@ struct ContactBins {
       box;  ///< of the targets with their skin: low, high; m
 };
 
+/// Targets of a point that are remembered between the two looks of the search.
+inline constexpr Index kFirstBoxes = 4;
+
 /// Memory of the search, kept from one to the next.
 template <int D>
 struct ContactSearchScratch {
   ContactBins<D> bins;
   Array<Index> count;
+  Kokkos::View<Index* [kFirstBoxes], Rows, Memory> first;  ///< per point: in whose boxes it is
   Array<Index> active, kept;        ///< points in a box; those of them with candidates
   Array<Index> found_begin, found;  ///< candidates of the active points
 };

@@ -10,17 +10,19 @@ namespace breccia {
 namespace {
 
 /// The smallest principal value from below; exact in the plane.
+template <class R>
 KOKKOS_INLINE_FUNCTION
-double least_principal(const Sym<2>& a) {
-  const double half = 0.5 * (a.s[0] - a.s[1]);
-  return 0.5 * trace(a) - Kokkos::sqrt(half * half + a.s[2] * a.s[2]);
+R least_principal(const Sym<2, R>& a) {
+  const R half = R(0.5) * (a.s[0] - a.s[1]);
+  return R(0.5) * trace(a) - square_root(half * half + a.s[2] * a.s[2]);
 }
+template <class R>
 KOKKOS_INLINE_FUNCTION
-double least_principal(const Sym<3>& a) {
-  const double mean = trace(a) / 3;
-  Sym<3> deviator = a;
-  for (int i = 0; i < 3; ++i) deviator.s[i] -= mean;
-  return mean - 2 * Kokkos::sqrt(contract(deviator, deviator) / 6);
+R least_principal(const Sym<3, R>& a) {
+  const R mean = trace(a) / R(3);
+  Sym<3, R> deviator = a;
+  for (int i = 0; i < 3; ++i) deviator.s[i] = deviator.s[i] - mean;
+  return mean - R(2) * square_root(contract(deviator, deviator) / R(6));
 }
 
 template <int D>
@@ -29,85 +31,125 @@ double share_of(const StableStepIn<D>& in, Index e) {
   return in.share.extent(0) > 0 ? in.share(e) : 1.0;
 }
 
-/// Frobenius norm of the rate of deformation, 1/s; `c` and `det` are of the present edges.
-template <int D>
-KOKKOS_FUNCTION
-double strain_rate(const StableStepIn<D>& in, Index e, const Mat<D>& c, double det) {
-  Vec<D> v[D + 1];
-  gather(in.element_nodes, in.v, e, e, v);
-  const Sym<D> d = symmetric_part(edges<D, double>(v) * transpose(c));
-  return Kokkos::sqrt(contract(d, d)) / Kokkos::abs(det);
-}
+/// A pack of elements from `first` on; lanes behind the last element repeat it.
+template <int D, class R>
+struct RateOfElements {
+  StableStepIn<D> in;
+  Index first, last;
+  Mat<D, R> g, c;  ///< edges and their cofactors
+  R det;
 
-/// Kirchhoff stress as the element loop left it or, where it leaves none, of Hencky's law.
-template <int D>
-KOKKOS_FUNCTION
-Sym<D> kirchhoff_stress(const StableStepIn<D>& in, Index e, const Mat<D>& f, double jacobian) {
-  if (in.stress.extent(0) > 0) {
-    Sym<D> tau;
-    for (int i = 0; i < Sym<D>::size; ++i) tau.s[i] = in.stress(e, i) * jacobian;
+  KOKKOS_FUNCTION
+  RateOfElements(const StableStepIn<D>& i, Index begin)
+      : in(i), first(begin), last(i.elements - 1) {
+    Vec<D, R> x[D + 1];
+    gather(in.element_nodes, in.x, first, last, x);
+    g = edges<D, R>(x);
+    c = cofactor(g);
+    det = R(0);
+    for (int j = 0; j < D; ++j) det = det + g(0, j) * c(0, j);
+  }
+
+  KOKKOS_FUNCTION
+  Index element(int lane) const { return first + lane < last ? first + lane : last; }
+
+  /// A number of the lanes' materials.
+  template <class F>
+  KOKKOS_FUNCTION
+  R of_material(const F& f) const {
+    return fill<R>([&](int l) { return f(in.material(element(l))); });
+  }
+
+  /// Frobenius norm of the rate of deformation, 1/s.
+  KOKKOS_FUNCTION
+  R deforming() const {
+    Vec<D, R> v[D + 1];
+    gather(in.element_nodes, in.v, first, last, v);
+    const Sym<D, R> d = symmetric_part(edges<D, R>(v) * transpose(c));
+    return square_root(contract(d, d)) / absolute(det);
+  }
+
+  /// Kirchhoff stress as the element loop left it or, where it leaves none, of Hencky's law.
+  KOKKOS_FUNCTION
+  Sym<D, R> kirchhoff_stress(const Mat<D, R>& f, const R& jacobian) const {
+    Sym<D, R> tau;
+    if (in.stress.extent(0) > 0) {
+      for (int i = 0; i < Sym<D>::size; ++i)
+        tau.s[i] = fill<R>([&](int l) { return in.stress(element(l), i); }) * jacobian;
+      return tau;
+    }
+    const Sym<D, R> eps = hencky_strain(left_cauchy_green(f), jacobian);
+    tau = eps * (R(2) * of_material([&](Index m) { return in.lame(m, 1); }));
+    const R p = of_material([&](Index m) { return in.lame(m, 0); }) * trace(eps);
+    for (int i = 0; i < D; ++i) tau.s[i] = tau.s[i] + p;
     return tau;
   }
-  const Index material = in.material(e);
-  const HenckyElastic law{in.lame(material, 0), in.lame(material, 1)};
-  return law.kirchhoff(hencky_strain(left_cauchy_green(f), jacobian));
-}
 
-/// omega_e^2 times the mass at one of its corners, N/m; its rate of deformation in `deforming`.
-template <int D>
-KOKKOS_FUNCTION
-double element_rate(const StableStepIn<D>& in, Index e, double& deforming) {
-  Vec<D> x[D + 1];
-  gather(in.element_nodes, in.x, e, e, x);
-  const Mat<D> g = edges<D, double>(x);
-  const Mat<D> c = cofactor(g);
-  double det = 0;
-  for (int j = 0; j < D; ++j) det += g(0, j) * c(0, j);
-  double heights = 0;
-  for (int i = 0; i < D; ++i) {
-    double sum = 0;
-    for (int j = 0; j < D; ++j) {
-      heights += c(i, j) * c(i, j);
-      sum += c(i, j);
-    }
-    heights += sum * sum;
+  /// P-wave modulus of the pressed element, Pa.
+  KOKKOS_FUNCTION
+  R modulus(const Sym<D, R>& tau) const {
+    const R now = fill<R>([&](int l) {
+      const Index m = in.material(element(l));
+      const double given = in.modulus.extent(0) > 0 ? in.modulus(element(l)) : 0.0;
+      return given > 0 ? given : in.lame(m, 0) + 2 * in.lame(m, 1);
+    });
+    return now + maximum(R(0), R(0) - least_principal(tau));
   }
-  heights /= det * det;
-  deforming = strain_rate(in, e, c, det);
-  Mat<D> reference;
-  for (int i = 0; i < D; ++i)
-    for (int j = 0; j < D; ++j) reference(i, j) = in.reference(e, i, j);
-  const Index material = in.material(e);
-  const double small = determinant(reference);
-  const Sym<D> tau = kirchhoff_stress(in, e, g * reference, det * small);
-  const double pressed = -least_principal(tau);
-  const double now = in.modulus.extent(0) > 0 ? in.modulus(e) : 0.0;
-  const double constant = in.lame(material, 0) + 2 * in.lame(material, 1);
-  const double modulus = (now > 0 ? now : constant) + (pressed > 0 ? pressed : 0.0);
-  const double xi = in.damping(material);
-  const double slow = Kokkos::sqrt(1 + xi * xi) - xi;
-  // The mass of a corner is density times the reference volume over its number.
-  const double volume = in.thickness / (kFactorial<D> * small);
-  return modulus * heights / (slow * slow) * volume;
+
+  /// omega_e^2 times the mass at one of its corners, N/m.
+  KOKKOS_FUNCTION
+  R rate() const {
+    R heights = R(0);
+    for (int i = 0; i < D; ++i) {
+      R sum = R(0);
+      for (int j = 0; j < D; ++j) {
+        heights = heights + c(i, j) * c(i, j);
+        sum = sum + c(i, j);
+      }
+      heights = heights + sum * sum;
+    }
+    heights = heights / (det * det);
+    const Mat<D, R> reference = stream<D, R>(in.reference, first);
+    const R small = determinant(reference);
+    const R xi = of_material([&](Index m) { return in.damping(m); });
+    const R slow = square_root(R(1) + xi * xi) - xi;
+    // The mass of a corner is density times the reference volume over its number.
+    const R volume = R(in.thickness) / (R(kFactorial<D>) * small);
+    const Sym<D, R> tau = kirchhoff_stress(g * reference, det * small);
+    return modulus(tau) * heights / (slow * slow) * volume;
+  }
+};
+
+/// Renews the rates of the elements; gives the largest rate of deformation.
+template <int D>
+double renew_rates(const StableStepIn<D>& in) {
+  constexpr int kWide = lanes<Pack>();
+  double fastest = 0;
+  count_launch();
+  Kokkos::parallel_reduce(
+      "breccia::motion::element_rate",
+      Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, (in.elements + kWide - 1) / kWide),
+      KOKKOS_LAMBDA(Index pack, double& most) {
+        const RateOfElements<D, Pack> elements(in, pack * kWide);
+        double rate[kWide], deforming[kWide];
+        store(elements.rate(), rate);
+        store(elements.deforming(), deforming);
+        for (int l = 0; l < kWide && pack * kWide + l < in.elements; ++l) {
+          const Index e = pack * kWide + l;
+          const bool there = share_of(in, e) > 0;
+          in.rate(e) = there ? rate[l] : 0.0;
+          if (there && deforming[l] > most) most = deforming[l];
+        }
+      },
+      Kokkos::Max<double>(fastest));
+  return fastest;
 }
 
 }  // namespace
 
 template <int D>
 StableStep stable_step(const StableStepIn<D>& in) {
-  double fastest = 0;
-  if (in.renew_rates) {
-    count_launch();
-    Kokkos::parallel_reduce(
-        "breccia::motion::element_rate",
-        Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, in.elements),
-        KOKKOS_LAMBDA(Index e, double& most) {
-          double deforming = 0;
-          in.rate(e) = share_of(in, e) > 0 ? element_rate(in, e, deforming) : 0.0;
-          if (deforming > most) most = deforming;
-        },
-        Kokkos::Max<double>(fastest));
-  }
+  const double fastest = in.renew_rates ? renew_rates(in) : 0;
   const bool springs = in.stiffness.extent(0) > 0;
   using Reducer = Kokkos::MinLoc<double, Index, Memory>;
   typename Kokkos::MinLoc<double, Index>::value_type least;

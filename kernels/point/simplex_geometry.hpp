@@ -203,13 +203,14 @@ double square_distance_to_face(const Vec<D> (&x)[D], const Vec<D>& q) {
   return norm2(gap);
 }
 
-/// Square of the distance from q to the faces of a simplex. `l` receives barycentric weights of the
-/// nearest point.
+/// Square of the distance from q, outside of a simplex, to it. `l`: barycentric coordinates of q,
+/// becomes those of the nearest point. That lies on a face which q is outside of.
 template <int D>
 KOKKOS_FUNCTION
-double square_distance_to_surface(const Vec<D> (&x)[D + 1], const Vec<D>& q, double (&l)[D + 1]) {
-  double best = -1;
+double square_distance_from_outside(const Vec<D> (&x)[D + 1], const Vec<D>& q, double (&l)[D + 1]) {
+  double best = -1, nearest[D + 1];
   for (int f = 0; f <= D; ++f) {
+    if (l[f] >= 0) continue;
     Vec<D> face[D], gap = q;
     for (int i = 0; i < D; ++i) face[i] = x[face_node<D>(f, i)];
     double w[D];
@@ -218,9 +219,10 @@ double square_distance_to_surface(const Vec<D> (&x)[D + 1], const Vec<D>& q, dou
     const double d2 = norm2(gap);
     if (best >= 0 && d2 >= best) continue;
     best = d2;
-    l[f] = 0;
-    for (int i = 0; i < D; ++i) l[face_node<D>(f, i)] = w[i];
+    nearest[f] = 0;
+    for (int i = 0; i < D; ++i) nearest[face_node<D>(f, i)] = w[i];
   }
+  for (int k = 0; k <= D; ++k) l[k] = nearest[k];
   return best;
 }
 
@@ -231,7 +233,7 @@ double square_distance_to_simplex(const Vec<D> (&x)[D + 1], const Vec<D>& q, dou
   barycentric(inverse(edge_matrix<D>(x)), x[0], q, l);
   bool within = true;
   for (int k = 0; k <= D; ++k) within = within && l[k] >= 0;
-  return within ? 0 : square_distance_to_surface<D>(x, q, l);
+  return within ? 0 : square_distance_from_outside<D>(x, q, l);
 }
 
 }  // namespace breccia

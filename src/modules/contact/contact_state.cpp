@@ -100,7 +100,7 @@ std::size_t ContactLists<D>::bytes() const {
          memory_of(c.surface, c.height, c.level, c.edge, c.chosen, c.ring, c.nearest, c.nearer,
                    c.bubble, c.depth, c.gradient) +
          memory_of(b.bins.begin, b.bins.fill, b.bins.tag, b.bins.target, b.bins.piece, b.bins.box,
-                   b.count, b.active, b.kept, b.found_begin, b.found);
+                   b.count, b.first, b.active, b.kept, b.found_begin, b.found);
 }
 
 template void ContactLists<2>::archive(Archive&);
