@@ -34,6 +34,10 @@ std::int64_t steps_to_next(const StableStep& now, double dt, bool changing) {
 /// fourfold stiffness for that.
 constexpr std::int64_t kLook = 10;
 
+/// Steps that the limit must stay above the step before the step grows. A step that follows a body
+/// as it rings is long while the body swells and short while it shrinks: energy drifts.
+constexpr std::int64_t kCalm = 1000;
+
 /// Steps of a run in which nothing limits the step: rigid bodies that rest, far from one another.
 constexpr double kUnlimitedSteps = 1000;
 
@@ -159,10 +163,11 @@ void Simulation<D>::choose_step() {
     return;
   }
   // Keeps its length while the limit only trembles: the factors leave room for a hundredth.
-  // Otherwise it falls at once and rises slowly (ALGORITHMS ).
+  // Otherwise it falls at once and rises late and slowly (ALGORITHMS ).
+  if (now.dt < 1.02 * clock_.dt) calm_from_ = clock_.step + kCalm;
   if (now.dt < 0.99 * clock_.dt) {
     clock_.dt = now.dt;
-  } else if (renew && now.dt > 1.02 * clock_.dt) {
+  } else if (renew && clock_.step >= calm_from_ && now.dt > 1.02 * clock_.dt) {
     clock_.dt = std::min(now.dt, 1.1 * clock_.dt);
   }
   record(now);
@@ -277,6 +282,7 @@ void Simulation<D>::archive(Archive& archive) {
   archive_costs(archive, plan_);
   archive.integer("step.next_renewal", next_renewal_);
   archive.integer("step.next_look", next_look_);
+  archive.integer("step.calm_from", calm_from_);
   archive.integer("model.splits", model_.splits);
   archive.integer("model.releases", model_.releases);
   std::int64_t stale = model_.step_is_stale ? 1 : 0;

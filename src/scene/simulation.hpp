@@ -82,6 +82,7 @@ class Simulation {
   double kinetic_start_ = 0, stored_start_ = 0;
   std::int64_t next_renewal_ = 0;
   std::int64_t next_look_ = 0;  ///< step before which a stale step is good enough
+  std::int64_t calm_from_ = 0;  ///< step before which it does not grow
   Array<double> stiffness_;
 };
 
