@@ -103,6 +103,28 @@ Index pressing_points(const ContactHistory<D>& history, Index points) {
       });
 }
 
+template <int D>
+DeepestPoint deepest_point(const ContactHistory<D>& history, const Array<Index>& facet,
+                           const Array<double>& height, Index points) {
+  if (points == 0) return {};
+  using Deepest = Kokkos::MaxLoc<double, Index>;
+  Deepest::value_type found;
+  count_launch();
+  Kokkos::parallel_reduce(
+      "breccia::contact::deepest", Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, points),
+      KOKKOS_LAMBDA(Index a, Deepest::value_type & best) {
+        for (int s = 0; s < kContactSlots; ++s) {
+          if (history.element(a, s) == kNone) continue;
+          const double share =
+              history.state(a, s, ContactHistory<D>::depth) / (D * height(facet(a)));
+          if (share > best.val || (share == best.val && a < best.loc)) best = {share, a};
+        }
+      },
+      Deepest(found));
+  if (!(found.val > 0)) return {};
+  return {found.val, found.loc};
+}
+
 template void carry_history<2>(const Array<Index>&, Index, const ContactHistory<2>&,
                                const Array<Index>&, Index, const ContactHistory<2>&);
 template void carry_history<3>(const Array<Index>&, Index, const ContactHistory<3>&,
@@ -119,5 +141,9 @@ template double stored_energy<2>(const ContactHistory<2>&, Index);
 template double stored_energy<3>(const ContactHistory<3>&, Index);
 template Index pressing_points<2>(const ContactHistory<2>&, Index);
 template Index pressing_points<3>(const ContactHistory<3>&, Index);
+template DeepestPoint deepest_point<2>(const ContactHistory<2>&, const Array<Index>&,
+                                       const Array<double>&, Index);
+template DeepestPoint deepest_point<3>(const ContactHistory<3>&, const Array<Index>&,
+                                       const Array<double>&, Index);
 
 }  // namespace breccia

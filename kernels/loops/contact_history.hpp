@@ -59,6 +59,15 @@ double stored_energy(const ContactHistory<D>& history, Index points);
 template <int D>
 Index pressing_points(const ContactHistory<D>& history, Index points);
 
+/// The deepest point: its depth over the height of the elements at its face.
+struct DeepestPoint {
+  double share = 0;
+  Index point = kNone;  ///< place in the list of points; none where nothing presses
+};
+template <int D>
+DeepestPoint deepest_point(const ContactHistory<D>& history, const Array<Index>& facet,
+                           const Array<double>& height, Index points);
+
 extern template void carry_history<2>(const Array<Index>&, Index, const ContactHistory<2>&,
                                       const Array<Index>&, Index, const ContactHistory<2>&);
 extern template void carry_history<3>(const Array<Index>&, Index, const ContactHistory<3>&,
@@ -75,5 +84,9 @@ extern template double stored_energy<2>(const ContactHistory<2>&, Index);
 extern template double stored_energy<3>(const ContactHistory<3>&, Index);
 extern template Index pressing_points<2>(const ContactHistory<2>&, Index);
 extern template Index pressing_points<3>(const ContactHistory<3>&, Index);
+extern template DeepestPoint deepest_point<2>(const ContactHistory<2>&, const Array<Index>&,
+                                              const Array<double>&, Index);
+extern template DeepestPoint deepest_point<3>(const ContactHistory<3>&, const Array<Index>&,
+                                              const Array<double>&, Index);
 
 }  // namespace breccia

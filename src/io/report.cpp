@@ -33,6 +33,9 @@ void put_counts(JsonWriter& json, const Report& r) {
   json.member("bonded", r.interfaces.bonded).member("inserted", r.interfaces.inserted);
   json.member("released", r.interfaces.released).end_object();
   json.member("fragments", r.fragments);
+  json.key("guard").begin_object();
+  json.member("looks", r.guard.looks).member("made", r.guard.made);
+  json.member("overlap", r.guard.overlap).end_object();
   if (!r.rest.wanted) return;
   json.key("rest").begin_object();
   json.member("reached", r.rest.reached).member("time", r.rest.time);

@@ -27,6 +27,12 @@ struct Report {
     double time = kNone;                       ///< [s] when
     double unbalance = kNone, motion = kNone;  ///< shares of forces and energies at the last look
   };
+  /// What the looks of [run.guard] saw.
+  struct Guard {
+    std::int64_t looks = 0;
+    double made = 0;     ///< largest energy from nowhere, over the largest energy in play
+    double overlap = 0;  ///< deepest, in heights of the elements at the face
+  };
   struct Effect {
     std::string name;
     double seconds = 0;
@@ -60,6 +66,7 @@ struct Report {
   Interfaces interfaces;
   std::int64_t fragments = 0;
   Rest rest;
+  Guard guard;
   std::vector<std::pair<std::string, double>>
       ledger;                           ///< [J] energies by their name in A-13.8, in order
   double res_1 = kNone, res_2 = kNone;  ///< relative residuals of the ledger (A-8.6)

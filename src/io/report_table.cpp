@@ -106,6 +106,11 @@ void print_ledger(const Report& r, std::ostream& out) {
         form("  %-16s %14.6g  ", name.c_str(), energy) + std::string(bar, '=');
     out << shown.substr(0, shown.find_last_not_of(' ') + 1) << "\n";
   }
+  if (r.guard.looks > 0)
+    out << form(
+        "  guard            %.2g %% came from nowhere at most, bodies overlapped by %.2g "
+        "heights of an element\n",
+        100 * r.guard.made, r.guard.overlap);
   out << "  residuals        level 1 " << number_or_dash(r.res_1) << " (alarm 1e-10), level 2 "
       << number_or_dash(r.res_2) << " (alarm 0.01)\n";
 }

@@ -30,8 +30,8 @@ void add_effects(const Simulation<D>& simulation, const std::vector<Cost>& costs
     report.effects.push_back(effect);
   }
   for (const Cost& cost : costs)
-    if (cost.effect == "output")
-      report.effects.push_back({"output", cost.seconds, 0, cost.launches});
+    if (cost.effect == "output" || cost.effect == "guard")
+      report.effects.push_back({cost.effect, cost.seconds, 0, cost.launches});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "io/scene_reader.hpp"
 #include "scene/commands.hpp"
 #include "scene/cost_sheet.hpp"
+#include "scene/guard.hpp"
 #include "scene/interrupt.hpp"
 #include "scene/recorder.hpp"
 #include "scene/scene.hpp"
@@ -48,6 +49,7 @@ class Run {
       folder_->write_scene(resolved.str());
     }
     recorder_ = std::make_unique<Recorder<D>>(simulation_, *folder_, scene);
+    guard_ = std::make_unique<Guard<D>>(simulation_, scene.at("run"));
     if (request.restart) {
       const OutputState state = load_state(folder_->checkpoint(), identity_, simulation_);
       wall_before_ = state.wall_seconds;
@@ -64,6 +66,7 @@ class Run {
     close();
     const double wall = wall_before_ + seconds_since(start);
     Report report = make_report(simulation_, *recorder_, {status_, reason_, wall});
+    report.guard = guard_->seen();
     const Results results = this->results(report);
     report.numbers = results.numbers;
     report.checks = judge(scene_, results);
@@ -92,13 +95,21 @@ class Run {
     const double interval = scene_.at("output").number("checkpoint");
     double next_checkpoint = interval;
     Progress progress(end, "steps");
-    const auto timed = [this](const auto& what) {
+    const auto timed = [this](const char* effect, const auto& what) {
       const Watch::time_point begin = Watch::now();
       what();
-      simulation_.plan().book("output", seconds_since(begin), 0);
+      simulation_.plan().book(effect, seconds_since(begin), 0);
     };
-    const typename Simulation<D>::Watchers watchers{[&] { timed([&] { recorder_->before(); }); },
-                                                    [&] { timed([&] { recorder_->after(); }); }};
+    const typename Simulation<D>::Watchers watchers{[&] {
+                                                      if (guard_->due())
+                                                        timed("guard", [&] { guard_->before(); });
+                                                      timed("output", [&] { recorder_->before(); });
+                                                    },
+                                                    [&] {
+                                                      if (guard_->due())
+                                                        timed("guard", [&] { guard_->after(); });
+                                                      timed("output", [&] { recorder_->after(); });
+                                                    }};
     watch_for_interrupt();
     while (simulation_.clock().time < end) {
       simulation_.step(end, watchers);
@@ -111,7 +122,7 @@ class Run {
       }
       progress.update(simulation_.clock().time, static_cast<double>(simulation_.clock().step));
       if (seconds_since(start) < next_checkpoint) continue;
-      timed([&] { checkpoint(wall_before_ + seconds_since(start)); });
+      timed("output", [&] { checkpoint(wall_before_ + seconds_since(start)); });
       next_checkpoint = seconds_since(start) + interval;
     }
     progress.finish();
@@ -166,6 +177,7 @@ class Run {
   CheckpointIdentity identity_;
   std::unique_ptr<RunFolder> folder_;
   std::unique_ptr<Recorder<D>> recorder_;
+  std::unique_ptr<Guard<D>> guard_;
   double wall_before_ = 0, wall_loop_ = 0;
   bool interrupted_ = false;
   std::string status_, reason_;

@@ -49,6 +49,26 @@ void declare_run(Schema& schema) {
   scaling.flag("quasi_static")
       .by_default(false)
       .doc("true: slow loading, inertia does not matter; else at most 5 % mass is added.");
+  auto guard = schema.section("run.guard")
+                   .always()
+                   .doc(
+                       "Looks that stop a run whose results would be worth nothing. Energies that "
+                       "are not finite "
+                       "always do.");
+  guard.integer("every")
+      .between(0, 1000000)
+      .by_default(200)
+      .doc("Steps between two looks; 0: nobody looks.");
+  guard.number("energy", unit::none)
+      .above(0)
+      .by_default(0.1)
+      .doc(
+          "Energy from nowhere, as a share of the largest energy so far, that two looks in a row "
+          "may not see; what contact gives by numerics counts.");
+  guard.number("overlap", unit::none)
+      .above(0)
+      .by_default(1)
+      .doc("Depth of bodies in one another, in heights of the elements at the face.");
   s.choice("precision", {"double", "mixed"}).by_default("double").doc("Arithmetic of the loops.");
   s.integer("seed")
       .between(0, 2147483647)

@@ -53,11 +53,21 @@ double Ledger::residual_1() const {
   return ratio(std::abs(change), scale);
 }
 
+double Ledger::scale() const {
+  return std::max(
+      {kinetic, stored(), std::abs(external()), kinetic_start + stored_start, dissipated()});
+}
+
+double Ledger::balance() const {
+  return kinetic + stored() + dissipated() - kinetic_start - stored_start - external();
+}
+
+double Ledger::made() const {
+  return balance() + std::max(0.0, -value("CT_numeric"));
+}
+
 double Ledger::residual_2() const {
-  const double now = kinetic + stored() + dissipated();
-  const double start = kinetic_start + stored_start;
-  const double scale = std::max({kinetic, stored(), std::abs(external()), start, dissipated()});
-  return ratio(std::abs(now - start - external()), scale);
+  return ratio(std::abs(balance()), scale());
 }
 
 }  // namespace breccia

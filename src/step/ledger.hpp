@@ -47,10 +47,17 @@ class Ledger {
   double dissipated() const;
   /// Work of loads, gravity and prescribed motion up to t^n.
   double external() const;
+  /// Kinetic + stored + dissipated - external - start.
+  double balance() const;
+  /// Largest energy in play.
+  double scale() const;
+  /// Energy that came from nowhere (below zero: that was lost): what the books do not explain, and
+  /// what they explain by numerics.
+  double made() const;
   /// Round-off check: change of kinetic energy minus the work of all forces, over the largest
   /// energy in play.
   double residual_1() const;
-  /// Consistency check: kinetic + stored + dissipated - external - start, over the largest.
+  /// Consistency check: the balance over the largest energy.
   double residual_2() const;
 
  private:

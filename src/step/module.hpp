@@ -45,6 +45,7 @@ class Module {
   /// Events since the last call, in a fixed order.
   virtual std::vector<Event> take_events() { return {}; }
   virtual void count(Model<D>&, Counts&) const {}
+  virtual Overlap deepest_overlap(Model<D>&) const { return {}; }
   /// Memory that is not in the store.
   virtual std::size_t bytes() const { return 0; }
   /// State that is not in the store.

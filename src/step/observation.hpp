@@ -54,6 +54,12 @@ struct Touch {
   Index element, target;
 };
 
+/// Where something is deepest in something else.
+struct Overlap {
+  double share = 0;  ///< depth over the height of the elements at the face; 0: nothing overlaps
+  Index element = kNone;
+};
+
 /// What modules draw on for one frame.
 struct Picture {
   std::vector<PictureField> node_fields;

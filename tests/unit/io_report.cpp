@@ -30,6 +30,7 @@ Report sample() {
   report.fragments = 2;
   report.ledger = {{"KE", 1.5}, {"IE_elastic", 3}, {"CT_stored", 0}};
   report.res_1 = 1e-14;
+  report.guard = {12, 0.031, 0.25};
   report.effects = {{"solid", 3, 5000000, 1200}, {"contact", 1, 1024, 2400}};
   report.checks = {{"strength", 8.1e6, 8e6, 0.1, true, true, "Pa", ""},
                    {"angle", Report::kNone, 0, 10, false, false, "deg", "no crack"}};
@@ -41,16 +42,47 @@ Report sample() {
 
 TEST(IoReport, JsonHasEveryKeyOfTheSpecification) {
   const std::string json = report_json(sample());
-  for (const char* key : {"status",       "reason",    "steps",    "time",
-                          "wall_seconds", "threads",   "ranks",    "backend",
-                          "precision",    "elements",  "nodes",    "element_steps_per_second",
-                          "time_step",    "min",       "mean",     "set_by",
-                          "interfaces",   "bonded",    "inserted", "released",
-                          "fragments",    "ledger",    "KE",       "res_1",
-                          "res_2",        "effects",   "seconds",  "bytes",
-                          "launches",     "checks",    "name",     "value",
-                          "reference",    "tolerance", "pass",     "peak_memory_bytes",
-                          "state_hash",   "version",   "release",  "commit",
+  for (const char* key : {"status",
+                          "reason",
+                          "steps",
+                          "time",
+                          "wall_seconds",
+                          "threads",
+                          "ranks",
+                          "backend",
+                          "precision",
+                          "elements",
+                          "nodes",
+                          "element_steps_per_second",
+                          "time_step",
+                          "min",
+                          "mean",
+                          "set_by",
+                          "interfaces",
+                          "bonded",
+                          "inserted",
+                          "released",
+                          "fragments",
+                          "guard",
+                          "ledger",
+                          "KE",
+                          "res_1",
+                          "res_2",
+                          "effects",
+                          "seconds",
+                          "bytes",
+                          "launches",
+                          "checks",
+                          "name",
+                          "value",
+                          "reference",
+                          "tolerance",
+                          "pass",
+                          "peak_memory_bytes",
+                          "state_hash",
+                          "version",
+                          "release",
+                          "commit",
                           "build"}) {
     EXPECT_THAT(json, HasSubstr(std::string("\"").append(key).append("\": "))) << key;
   }
@@ -67,6 +99,8 @@ TEST(IoReport, TableShowsRunCostsEnergiesAndChecks) {
   EXPECT_THAT(text, HasSubstr("29000 bonded, 40 inserted, 12 released; 2 fragments"));
   EXPECT_THAT(text, HasSubstr("75.0%"));  // 3 of 4 seconds
   EXPECT_THAT(text, HasSubstr("IE_elastic"));
+  EXPECT_THAT(text,
+              HasSubstr("3.1 % came from nowhere at most, bodies overlapped by 0.25 heights"));
   EXPECT_THAT(text, Not(HasSubstr("CT_stored"))) << "energies that are zero are noise";
   EXPECT_THAT(text, HasSubstr("pass  strength"));
   EXPECT_THAT(text, HasSubstr("FAIL  angle"));

@@ -203,12 +203,24 @@ void Contact<D>::observe(Model<D>& model, const Clock&, Moment moment, Row& row)
   const auto signals =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, lists_.signals().value);
   row.set("contacts_lost", signals(ContactSignals::lost));
+  row.set("overlap", deepest_overlap(model).share);
 }
 
 template <int D>
 void Contact<D>::count(Model<D>& model, Counts& counts) const {
   counts.contact_points +=
       pressing_points(lists_.history(model), model.store.count(Entity::contact_point));
+}
+
+template <int D>
+Overlap Contact<D>::deepest_overlap(Model<D>& model) const {
+  const ContactPairs<D>& pairs = lists_.pairs();
+  const DeepestPoint deepest =
+      deepest_point(lists_.history(model), pairs.facet, lists_.surface().height, pairs.points);
+  if (deepest.point == kNone) return {};
+  Index point = 0;
+  Kokkos::deep_copy(point, Kokkos::subview(pairs.point, deepest.point));
+  return {deepest.share, point / kFacePoints<D> / (D + 1)};
 }
 
 template <int D>

@@ -27,6 +27,7 @@ class Contact final : public Module<D> {
   void draw(Model<D>& model, Picture& picture) const override;
   void observe(Model<D>& model, const Clock& clock, Moment moment, Row& row) override;
   void count(Model<D>& model, Counts& counts) const override;
+  Overlap deepest_overlap(Model<D>& model) const override;
   std::size_t bytes() const override {
     return lists_.bytes() + corner_stiffness_.span() * sizeof(double);
   }
