@@ -4,6 +4,7 @@
 #include "mesh/quality.hpp"
 #include "scene/catalog.hpp"
 #include "scene/commands.hpp"
+#include "scene/field_norms.hpp"
 #include "scene/recorder.hpp"
 #include "scene/scene.hpp"
 #include "scene/simulation.hpp"
@@ -81,7 +82,7 @@ template <int D>
 int check(const Scene& scene) {
   Simulation<D> simulation(scene.settings, scene.folder);
   simulation.start();
-  check_checks(scene.settings, history_columns(simulation));
+  check_checks(scene.settings, history_columns(simulation), field_norms(simulation));
   const Model<D>& model = simulation.model();
   std::vector<double> speed;
   for (std::size_t b = 0; b < model.mesh.body_names.size(); ++b) {

@@ -4,6 +4,7 @@
 #include "io/scene_reader.hpp"
 #include "scene/commands.hpp"
 #include "scene/cost_sheet.hpp"
+#include "scene/field_norms.hpp"
 #include "scene/guard.hpp"
 #include "scene/interrupt.hpp"
 #include "scene/recorder.hpp"
@@ -44,7 +45,7 @@ class Run {
     } else {
       // A scene that cannot start must not leave a folder behind.
       simulation_.start();
-      check_checks(scene, history_columns(simulation_));
+      check_checks(scene, history_columns(simulation_), field_norms(simulation_));
       folder_ = std::make_unique<RunFolder>(output, existing);
       folder_->write_scene(resolved.str());
     }
@@ -165,10 +166,12 @@ class Run {
     recorder_->finish();
   }
 
-  Results results(const Report& report) const {
-    return {recorder_->columns(), recorder_->history(),
-            result_numbers(report, find_main_crack<D>(recorder_->last_cracks(),
-                                                      simulation_.model().mesh.point))};
+  Results results(const Report& report) {
+    const std::vector<Point<D>>& points = simulation_.model().mesh.point;
+    Numbers numbers = result_numbers(report, find_main_crack<D>(recorder_->last_cracks(), points));
+    const Numbers norms = field_norms(simulation_);
+    numbers.insert(numbers.end(), norms.begin(), norms.end());
+    return {recorder_->columns(), recorder_->history(), std::move(numbers)};
   }
 
   const Settings& scene_;

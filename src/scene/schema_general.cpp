@@ -120,6 +120,26 @@ void declare_output(Schema& schema) {
       .doc("Wall-clock time between two checkpoints.");
 }
 
+void declare_norms(Schema& schema) {
+  auto s = schema.section("norm[]").doc(
+      "How far fields are from what they should be, over a whole body at the end of the run: the "
+      "number norm.NAME, the root of the mean square over the volume, and norm.NAME.share, that "
+      "over "
+      "the same of what is exact, for [[check]] and [study].");
+  s.text("name").required().unique().identifier().doc("NAME.").example("stress_error");
+  s.texts("fields")
+      .required()
+      .doc("Fields of the frames, by component.")
+      .example("[\"stress.xx\", \"stress.yy\", \"stress.xy\"]");
+  s.texts("exact")
+      .doc(
+          "What each should be: a formula of x, y, z (places before anything moved, m) and time "
+          "(s); "
+          "nothing: the norm is that of the fields themselves.")
+      .example("[\"1 MPa * x / 2 m\", \"0 Pa\", \"0 Pa\"]");
+  s.text("body").doc("The body; all of them if absent.").example("ring");
+}
+
 void declare_checks(Schema& schema) {
   auto s = schema.section("check[]").doc(
       "A result that the run is held against; exit status 3 when one fails.");
@@ -147,6 +167,7 @@ void declare_general_keys(Schema& schema) {
   declare_load_keys(schema);
   declare_sensors(schema);
   declare_output(schema);
+  declare_norms(schema);
   declare_checks(schema);
   declare_study_keys(schema);
   schema.check(check_run_rules);

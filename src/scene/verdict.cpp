@@ -94,9 +94,11 @@ Numbers result_numbers(const Report& report, const MainCrack& crack) {
           {"res_2", report.res_2}};
 }
 
-void check_checks(const Settings& scene, const std::vector<std::string>& columns) {
+void check_checks(const Settings& scene, const std::vector<std::string>& columns,
+                  const Numbers& norms) {
   std::vector<std::string> known = columns;
   for (const auto& [name, value] : result_numbers({}, {})) known.push_back(name);
+  for (const auto& [name, value] : norms) known.push_back(name);
   Problems problems;
   for (const Settings& check : scene.list("check")) {
     for (const char* key : {"value", "reference", "tolerance"})

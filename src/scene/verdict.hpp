@@ -24,10 +24,11 @@ Quantities quantities_of(const Results& results);
 /// Results of a run that are one number each.
 Numbers result_numbers(const Report& report, const MainCrack& crack);
 
-/// Refuses the [[check]]s that speak of what this scene has no column or number for, or that allow
-/// a share of zero.
+/// Refuses the [[check]]s that speak of what this scene has no column, number or norm for, or that
+/// allow a share of zero.
 /// \throws Error with the lines of all of them.
-void check_checks(const Settings& scene, const std::vector<std::string>& columns);
+void check_checks(const Settings& scene, const std::vector<std::string>& columns,
+                  const Numbers& norms);
 
 /// Evaluates every [[check]]. A formula without a value fails its check with a note.
 std::vector<Report::Check> judge(const Settings& scene, const Results& results);
