@@ -131,12 +131,12 @@ void declare_norms(Schema& schema) {
       .required()
       .doc("Fields of the frames, by component.")
       .example("[\"stress.xx\", \"stress.yy\", \"stress.xy\"]");
-  s.texts("exact")
+  s.values("exact")
       .doc(
           "What each should be: a formula of x, y, z (places before anything moved, m) and time "
           "(s); "
           "nothing: the norm is that of the fields themselves.")
-      .example("[\"1 MPa * x / 2 m\", \"0 Pa\", \"0 Pa\"]");
+      .example("[\"1 MPa * x / 2 m\", 0, 0]");
   s.text("body").doc("The body; all of them if absent.").example("ring");
 }
 
