@@ -4,6 +4,7 @@
 
 #include <Kokkos_Core.hpp>
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,11 @@ using Columns = Kokkos::LayoutLeft;
 
 template <class T>
 using Array = Kokkos::View<T*, Memory>;
+
+/// Flags of many entities of which few are raised: entity i has bit i % kWordBits of word
+/// i / kWordBits.
+using BitWord = std::uint64_t;
+inline constexpr Index kWordBits = 64;
 
 /// One vector per node, or per any entity that is gathered: (n, D).
 template <int D>

@@ -26,6 +26,31 @@ inline Index compact(const char* label, const Kokkos::View<const std::uint8_t*, 
       });
 }
 
+/// The same of flags that are bits of words. Where none is raised the host sees it by itself.
+inline Index compact(const char* label, const Kokkos::View<const BitWord*, Memory>& words,
+                     const Array<Index>& list) {
+  if constexpr (!kOnDevice) {
+    BitWord any = 0;
+    for (std::size_t w = 0; w < words.extent(0); ++w) any |= words(w);
+    if (any == 0) return 0;
+  }
+  return scan(
+      label, static_cast<Index>(words.extent(0)), KOKKOS_LAMBDA(Index w, Index & at, bool last) {
+        const BitWord word = words(w);
+        if (word == 0) return;
+        for (Index b = 0; b < kWordBits; ++b) {
+          if ((word >> b & 1) == 0) continue;
+          if (last) list(at) = w * kWordBits + b;
+          ++at;
+        }
+      });
+}
+
+KOKKOS_FORCEINLINE_FUNCTION
+bool is_raised(const Kokkos::View<const BitWord*, Memory>& words, Index i) {
+  return (words(i / kWordBits) >> (i % kWordBits) & 1) != 0;
+}
+
 /// Sets a flag that several iterations may set at once, all to the same value.
 KOKKOS_FORCEINLINE_FUNCTION
 void raise(const Array<std::uint8_t>& flag, Index i) {

@@ -39,17 +39,17 @@ struct ElementForceIn {
   double dt;                 ///< s since the last call
   double thickness;          ///< m, 1 in 3D
   double smallest_jacobian;  ///< elements below it are reported
-  StressWatch watch;
+  StressWatch<D> watch;
 };
 
 template <int D>
 struct ElementForceOut {
   CornerForces<D> force;
-  Array<std::uint8_t> hot;  ///< written only where the watch is on
-  Array<Index> bad;         ///< [0]: smallest element number below smallest_jacobian
-  ElementSums sums;         ///< one row per chunk of the block
-  FullTensors<D> stress;    ///< Cauchy stress, Pa, for other readers; may be empty
-  Array<double> modulus;    ///< P-wave modulus for the time step; written with bulk viscosity
+  Array<BitWord> hot;     ///< bits of elements without room are raised where the watch is on
+  Array<Index> bad;       ///< [0]: smallest element number below smallest_jacobian
+  ElementSums sums;       ///< one row per chunk of the block
+  FullTensors<D> stress;  ///< Cauchy stress, Pa, for other readers; may be empty
+  Array<double> modulus;  ///< P-wave modulus for the time step; written with bulk viscosity
 };
 
 /// Internal forces of the elements of a block on their corners,

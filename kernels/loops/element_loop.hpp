@@ -20,7 +20,7 @@ struct Wishes {
 
 template <int D>
 Wishes wishes_of(const ElementForceIn<D>& in, const ElementForceOut<D>& out) {
-  return {in.damping > 0,           in.watch.on(),
+  return {in.damping > 0,           in.watch.on,
           out.stress.extent(0) > 0, in.shock_quadratic > 0 || in.shock_linear > 0,
           in.share.extent(0) > 0,   out.modulus.extent(0) > 0};
 }
@@ -203,10 +203,30 @@ struct ElementLoop {
 
   KOKKOS_FORCEINLINE_FUNCTION
   void watch(const Lanes& lanes, int s, const FullSym<D, R>& tau, const R& jacobian) const {
-    const R reach = in.watch.reach(tau.in) / jacobian;
+    if (!in.watch.is_far(tau.in, jacobian)) look_closer(lanes, s, tau.in, jacobian);
+  }
+
+  /// Apart and with copies, so that registers of the loop are not kept for it. The lanes of a pack
+  /// lie in few words; each is asked for once.
+  [[gnu::noinline]] KOKKOS_FUNCTION
+  void look_closer(Lanes lanes, int s, Sym<D, R> tau, R jacobian) const {
+    const R room = in.watch.room(tau, jacobian);
+    if (!any(room <= R(0))) return;
     double r[W];
-    store(reach, r);
-    for (int l = 0; l < lanes.count(); ++l) out.hot(lanes.element(l, s)) = r[l] >= 1.0 ? 1 : 0;
+    store(room, r);
+    Index word = -1;
+    BitWord bits = 0;
+    for (int l = 0; l < lanes.count(); ++l) {
+      if (!(r[l] <= 0)) continue;
+      const Index e = lanes.element(l, s);
+      if (bits != 0 && e / kWordBits != word) {
+        Kokkos::atomic_or(&out.hot(word), bits);
+        bits = 0;
+      }
+      word = e / kWordBits;
+      bits |= BitWord{1} << (e % kWordBits);
+    }
+    if (bits != 0) Kokkos::atomic_or(&out.hot(word), bits);
   }
 
   KOKKOS_FORCEINLINE_FUNCTION

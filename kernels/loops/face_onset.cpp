@@ -61,7 +61,7 @@ struct OnsetLoop {
     if (face == kNone || in.status(face) != kBonded) return;
     // The left element asks where both are hot, so that a face is found once.
     const Index left = in.faces.elements(face, 0);
-    if (e != left && in.hot(left) != 0) return;
+    if (e != left && is_raised(in.hot, left)) return;
     const CohesiveOnset& onset = onset_of(in, face);
     bool joins = false;
     for (int c = 0; c < D; ++c) joins = joins || in.strained(family_at(in, face, c)) != 0;

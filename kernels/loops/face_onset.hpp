@@ -10,7 +10,7 @@ struct FaceOnsetIn {
   FaceMap<D> faces;
   ConstArray<std::uint8_t> status;  ///< 0: bonded (fields/common_fields.hpp)
   ElementStress<D> stress;
-  ConstArray<std::uint8_t> hot;      ///< per element
+  ConstArray<BitWord> hot;           ///< a bit per element
   ConstArray<std::uint16_t> law_of;  ///< law of each face that has one
   ConstArray<InterfaceLaw> laws;
   ConstArray<Index> family;   ///< of nodes

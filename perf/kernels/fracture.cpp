@@ -130,7 +130,7 @@ void onset_check(benchmark::State& state) {
       s.get<NodeVelocity<D>>(),
       Array<std::uint8_t>("breccia::perf::strained",
                           static_cast<std::size_t>(model.mesh.points()))};
-  Kokkos::deep_copy(s.get<ElementHot>(), std::uint8_t{1});
+  Kokkos::deep_copy(s.get<ElementHot>(), ~BitWord{0});
   for_each(
       "breccia::perf::all", n, KOKKOS_LAMBDA(Index e) { hot(e) = e; });
   const auto stretch = [&](double factor) {

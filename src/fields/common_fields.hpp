@@ -136,11 +136,12 @@ struct MaterialLame {
                                   "Lame constants lambda and mu"};
 };
 
-/// 1 where the stress may reach a face's insertion threshold on some plane (prefilter of the
-/// insertion check; an upper bound, see point/cohesive_onset.hpp).
+/// A bit of each element, raised where the stress may reach a face's insertion threshold on some
+/// plane (prefilter of the insertion check, which lowers it; an upper bound, see
+/// point/stress_watch.hpp).
 struct ElementHot {
-  using View = Array<std::uint8_t>;
-  static constexpr FieldInfo info{"element_hot", Entity::element, "1", Restart::no,
+  using View = Array<BitWord>;
+  static constexpr FieldInfo info{"element_hot", Entity::element_word, "1", Restart::no,
                                   "stress may reach an interface's threshold on some plane"};
 };
 

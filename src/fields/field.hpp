@@ -11,6 +11,7 @@ enum class Entity {
   node,
   corner,
   element,
+  element_word,  ///< kWordBits elements in a row
   family,
   face,
   interface,

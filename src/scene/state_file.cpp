@@ -9,10 +9,10 @@ namespace breccia {
 
 namespace {
 
-const char* const kCounts[] = {"count.node",          "count.corner",   "count.element",
-                               "count.family",        "count.face",     "count.interface",
-                               "count.boundary",      "count.absorber", "count.material",
-                               "count.contact_point", "count.rigid"};
+const char* const kCounts[] = {"count.node",         "count.corner",        "count.element",
+                               "count.element_word", "count.family",        "count.face",
+                               "count.interface",    "count.boundary",      "count.absorber",
+                               "count.material",     "count.contact_point", "count.rigid"};
 static_assert(std::size(kCounts) == kEntities);
 
 class Writer final : public Archive {

@@ -254,7 +254,8 @@ void check_random_insertion(const std::string& pattern, const std::string& cells
         for (int d = 0; d < D; ++d) force(e, a, d) = 1e4 * gauss(random);
     Kokkos::deep_copy(world.model.store.template get<ElementForce<D>>(), force);
     const auto hot = world.template host<ElementHot>();
-    for (Index e = 0; e < world.model.elements(); ++e) hot(e) = unit(random) < share_hot ? 1 : 0;
+    for (Index e = 0; e < world.model.elements(); ++e)
+      if (unit(random) < share_hot) hot(e / kWordBits) |= BitWord{1} << (e % kWordBits);
     Kokkos::deep_copy(world.model.store.template get<ElementHot>(), hot);
 
     const std::vector<double> before = world.corner_acceleration();

@@ -40,6 +40,8 @@ void Fracture<D>::declare(Model<D>& model) {
   Store& s = model.store;
   const auto faces = static_cast<Index>(model.topology.shared.size());
   s.set_size(Entity::face, faces, faces);
+  const Index words = (model.elements() + kWordBits - 1) / kWordBits;
+  s.set_size(Entity::element_word, words, words);
   s.add<FaceStatus>(key());
   s.add<FaceElements>(key());
   s.add<FaceCode>(key());

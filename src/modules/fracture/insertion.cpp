@@ -33,6 +33,13 @@ Kokkos::Array<ConstCornerForces<D>, kCornerForceClasses> corner_forces(const Sto
   return force;
 }
 
+/// Lowers the flags of the listed elements.
+void lower(const Array<BitWord>& hot, const Array<Index>& list, Index count) {
+  for_each(
+      "breccia::fracture::lower", count,
+      KOKKOS_LAMBDA(Index k) { Kokkos::atomic_store(&hot(list(k) / kWordBits), BitWord{0}); });
+}
+
 }  // namespace
 
 template <int D>
@@ -144,8 +151,7 @@ TipOnsetIn<D> Insertion<D>::at_tips(const Model<D>& model) const {
 template <int D>
 Index Insertion<D>::find_hot(Model<D>& model) {
   const Store& s = model.store;
-  const Index hot =
-      compact("breccia::fracture::hot_elements", s.get<ElementHot>(), model.elements(), hot_);
+  const Index hot = compact("breccia::fracture::hot_elements", s.get<ElementHot>(), hot_);
   if (hot == 0) return 0;
   make_room(mark_, "breccia::fracture::onset_mark", hot * (D + 1));
   make_room(found_, "breccia::fracture::onset_faces", hot * (D + 1));
@@ -165,6 +171,7 @@ Index Insertion<D>::find_hot(Model<D>& model) {
   const Index strained = some ? flag_strained(in, hot_, hot) : 0;
   const Index found = find_onset(in, hot_, hot, mark_, found_);
   if (strained > 0) Kokkos::deep_copy(strained_, std::uint8_t{0});
+  lower(s.get<ElementHot>(), hot_, hot);
   return found;
 }
 

@@ -196,7 +196,8 @@ ElementForceIn<D> Solid<D>::input(const Model<D>& model, const Block& block,
   in.dt = clock.dt_before;
   in.thickness = model.thickness;
   in.smallest_jacobian = kSmallestJacobian;
-  in.watch = {block.watch.per_tension, block.watch.per_cohesion, block.watch.friction};
+  in.watch =
+      StressWatch<D>(block.watch.per_tension, block.watch.per_cohesion, block.watch.friction);
   return in;
 }
 
