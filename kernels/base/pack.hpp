@@ -16,8 +16,32 @@ namespace breccia {
 using HostPack = Kokkos::Experimental::simd<double>;
 using Pack = std::conditional_t<kOnDevice, double, HostPack>;
 
+/// The same register full of floats: twice the lanes (precision = "mixed").
+using HostPackSingle = Kokkos::Experimental::simd<float>;
+using PackSingle = std::conditional_t<kOnDevice, float, HostPackSingle>;
+
 template <class R>
 inline constexpr bool kIsPack = !std::is_arithmetic_v<R>;
+
+namespace pack_detail {
+template <class R, bool Packed = kIsPack<R>>
+struct LaneOf {
+  using type = R;
+};
+template <class R>
+struct LaneOf<R, true> {
+  using type = typename R::value_type;
+};
+}  // namespace pack_detail
+
+/// Type of one lane of R.
+template <class R>
+using Lane = typename pack_detail::LaneOf<R>::type;
+
+/// True where strains are taken from differences that are small themselves: in single precision
+/// F - 1 would keep too little of them.
+template <class R>
+inline constexpr bool kSingle = std::is_same_v<Lane<R>, float>;
 
 /// Number of lanes of R; 1 for a plain number.
 template <class R>
@@ -35,32 +59,40 @@ template <class R, class F>
 KOKKOS_FORCEINLINE_FUNCTION
 R fill(const F& f) {
   if constexpr (kIsPack<R>) {
-    return R([&](std::size_t i) { return static_cast<double>(f(static_cast<int>(i))); });
+    return R([&](std::size_t i) { return static_cast<Lane<R>>(f(static_cast<int>(i))); });
   } else {
     return static_cast<R>(f(0));
   }
 }
 
 /// Copies the lanes to a plain array.
-template <class R>
+template <class R, class T>
 KOKKOS_FORCEINLINE_FUNCTION
-void store(const R& x, double* to) {
-  if constexpr (kIsPack<R>) {
+void store(const R& x, T* to) {
+  if constexpr (!kIsPack<R>) {
+    *to = static_cast<T>(x);
+  } else if constexpr (std::is_same_v<T, Lane<R>>) {
     Kokkos::Experimental::simd_unchecked_store(x, to, Kokkos::Experimental::simd_flag_default);
   } else {
-    *to = x;
+    Lane<R> lane[lanes<R>()];
+    store(x, lane);
+    for (int l = 0; l < lanes<R>(); ++l) to[l] = static_cast<T>(lane[l]);
   }
 }
 
 /// Reads lanes that lie one after the other.
-template <class R>
+template <class R, class T>
 KOKKOS_FORCEINLINE_FUNCTION
-R load(const double* from) {
-  if constexpr (kIsPack<R>) {
+R load(const T* from) {
+  if constexpr (!kIsPack<R>) {
+    return static_cast<R>(*from);
+  } else if constexpr (std::is_same_v<T, Lane<R>>) {
     return Kokkos::Experimental::simd_unchecked_load<R>(from,
                                                         Kokkos::Experimental::simd_flag_default);
   } else {
-    return *from;
+    Lane<R> lane[lanes<R>()];
+    for (int l = 0; l < lanes<R>(); ++l) lane[l] = static_cast<Lane<R>>(from[l]);
+    return load<R>(static_cast<const Lane<R>*>(lane));
   }
 }
 

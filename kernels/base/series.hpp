@@ -4,17 +4,19 @@
 namespace breccia {
 
 namespace series {
-inline constexpr int kTerms = 9;
+/// Terms that reach round-off: in double 9, in single precision 5.
+template <class R>
+inline constexpr int kTerms = kSingle<R> ? 5 : 9;
 
 /// sum_k y^k / (2k + 1) up to k = kTerms - 1: atanh(sqrt y) / sqrt y with relative error below
-/// 1e-16 for 0 <= y <= kReach.
+/// 1e-16 (single: 2e-8) for 0 <= y <= kReach.
 inline constexpr double kReach = 0.02;
 
 template <class R>
 KOKKOS_FORCEINLINE_FUNCTION
 R atanh_over(const R& y) {
-  R s = R(1.0 / (2 * kTerms - 1));
-  for (int k = kTerms - 2; k >= 0; --k) s = s * y + R(1.0 / (2 * k + 1));
+  R s = R(1.0 / (2 * kTerms<R> - 1));
+  for (int k = kTerms<R> - 2; k >= 0; --k) s = s * y + R(1.0 / (2 * k + 1));
   return s;
 }
 
@@ -22,8 +24,8 @@ R atanh_over(const R& y) {
 template <class R>
 KOKKOS_FORCEINLINE_FUNCTION
 R atanh_slope(const R& y) {
-  R s = R(double(kTerms) / (2 * kTerms + 1));
-  for (int k = kTerms - 1; k >= 1; --k) s = s * y + R(double(k) / (2 * k + 1));
+  R s = R(double(kTerms<R>) / (2 * kTerms<R> + 1));
+  for (int k = kTerms<R> - 1; k >= 1; --k) s = s * y + R(double(k) / (2 * k + 1));
   return s;
 }
 }  // namespace series
@@ -67,6 +69,18 @@ R log_near_one(const R& j) {
     return map_lanes(j, [](double ji) { return Kokkos::log(ji); });
   }
   return R(2) * z * series::atanh_over(y);
+}
+
+/// ln(1 + z), exact to round-off of z itself where z is small.
+template <class R>
+KOKKOS_FORCEINLINE_FUNCTION
+R log_of_one_plus(const R& z) {
+  const R w = z / (z + R(2));
+  const R y = w * w;
+  if (any(!(y <= R(series::kReach)))) {
+    return map_lanes(z, [](double zi) { return Kokkos::log1p(zi); });
+  }
+  return R(2) * w * series::atanh_over(y);
 }
 
 }  // namespace breccia

@@ -43,11 +43,41 @@ using CornerForces = Kokkos::View<double * [D + 1][D], Rows, Memory>;
 template <int D>
 using ConstCornerForces = Kokkos::View<const double * [D + 1][D], Rows, Memory>;
 
+/// The same in single precision (precision = "mixed").
+template <int D>
+using CornerForcesSingle = Kokkos::View<float * [D + 1][D], Rows, Memory>;
+template <int D>
+using ConstCornerForcesSingle = Kokkos::View<const float * [D + 1][D], Rows, Memory>;
+
+/// Corner forces of either precision, for whoever reads few of them; both empty: none.
+template <int D>
+struct AnyCornerForces {
+  ConstCornerForces<D> wide;
+  ConstCornerForcesSingle<D> single;
+
+  KOKKOS_INLINE_FUNCTION
+  bool present() const { return wide.extent(0) > 0 || single.extent(0) > 0; }
+  KOKKOS_INLINE_FUNCTION
+  double operator()(Index element, Index corner, int d) const {
+    return single.extent(0) > 0 ? single(element, corner, d) : wide(element, corner, d);
+  }
+  /// Component d of corner number `corner` of all.
+  KOKKOS_INLINE_FUNCTION
+  double at(Index corner, int d) const {
+    const auto place = static_cast<std::ptrdiff_t>(corner) * D + d;
+    return single.extent(0) > 0 ? single.data()[place] : wide.data()[place];
+  }
+};
+
 /// One matrix per element, streamed: (element, D, D).
 template <int D>
 using Matrices = Kokkos::View<double* [D][D], Columns, Memory>;
 template <int D>
 using ConstMatrices = Kokkos::View<const double* [D][D], Columns, Memory>;
+template <int D>
+using MatricesSingle = Kokkos::View<float* [D][D], Columns, Memory>;
+template <int D>
+using ConstMatricesSingle = Kokkos::View<const float* [D][D], Columns, Memory>;
 
 /// One symmetric matrix per corner: (element, local node, component of Sym<D>).
 template <int D>

@@ -24,6 +24,8 @@ struct ElementForceIn {
   ConstVectors<D> x;  ///< m, at t^n
   ConstVectors<D> v;  ///< m/s, at t^(n-1/2); read only where something is viscous
   ConstMatrices<D> reference;
+  ConstVectors<D> moved;  ///< x - X, m; read in single precision, as the next
+  ConstMatricesSingle<D> reference_single;
   Kokkos::View<const double*, Memory>
       share;          ///< of its stress that an element carries; may be empty
   Index begin, end;   ///< elements of the block
@@ -45,6 +47,7 @@ struct ElementForceIn {
 template <int D>
 struct ElementForceOut {
   CornerForces<D> force;
+  CornerForcesSingle<D> force_single;  ///< where it exists it takes the forces instead
   Array<BitWord> hot;     ///< bits of elements without room are raised where the watch is on
   Array<Index> bad;       ///< [0]: smallest element number below smallest_jacobian
   ElementSums sums;       ///< one row per chunk of the block
@@ -58,6 +61,14 @@ struct ElementForceOut {
 template <int D>
 void element_force(const ElementForceIn<D>& in, const ElementForceOut<D>& out);
 
+/// The same computed in single precision, the sums in double. Strains come from differences of
+/// displacements that are taken in double, so that their noise is a share of 6e-8 (and of the angle
+/// by which an element has turned), not 6e-8 itself.
+template <int D>
+void element_force_single(const ElementForceIn<D>& in, const ElementForceOut<D>& out);
+
+extern template void element_force_single<2>(const ElementForceIn<2>&, const ElementForceOut<2>&);
+extern template void element_force_single<3>(const ElementForceIn<3>&, const ElementForceOut<3>&);
 extern template void element_force<2>(const ElementForceIn<2>&, const ElementForceOut<2>&);
 extern template void element_force<3>(const ElementForceIn<3>&, const ElementForceOut<3>&);
 

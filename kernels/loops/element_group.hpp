@@ -60,16 +60,60 @@ struct GroupLanes {
     for (int l = 0; l < count(); ++l) field(element(l, sub), place...) = v[l];
   }
 
-  /// Vectors of the groups' nodes.
+  /// Vectors of the groups' nodes; in single precision less that of the first one, the differences
+  /// being taken in double.
   template <int D, class Nodes, class Field>
   KOKKOS_FORCEINLINE_FUNCTION
   void gather(const Nodes& nodes, const Field& field,
               Vec<D, R> (&to)[kGroupNodes<D, Group>]) const {
+    if constexpr (kSingle<R>) {
+      gather_differences<D>(nodes, field, to);
+      return;
+    }
     for (int a = 0; a < kGroupNodes<D, Group>; ++a) {
-      const CompositePlace place = group_place<D, Group>(a);
       Index n[W];
-      for (int l = 0; l < W; ++l) n[l] = nodes(element(l, place.sub), place.corner);
+      numbers<D>(nodes, a, n);
       for (int d = 0; d < D; ++d) to[a][d] = fill<R>([&](int l) { return field(n[l], d); });
+    }
+  }
+
+ private:
+  /// Node numbers at local node a of the groups.
+  template <int D, class Nodes>
+  KOKKOS_FORCEINLINE_FUNCTION
+  void numbers(const Nodes& nodes, int a, Index (&n)[W]) const {
+    const CompositePlace place = group_place<D, Group>(a);
+    for (int l = 0; l < W; ++l) n[l] = nodes(element(l, place.sub), place.corner);
+  }
+
+  using Wide = std::conditional_t<kIsPack<R>, HostPack, double>;
+  template <class Field>
+  KOKKOS_FORCEINLINE_FUNCTION
+  static Wide read_wide(const Field& field, const Index* n, int d) {
+    return fill<Wide>([&](int l) { return field(n[l], d); });
+  }
+
+  /// In registers of doubles, two to a register of floats.
+  template <int D, class Nodes, class Field>
+  KOKKOS_FORCEINLINE_FUNCTION
+  void gather_differences(const Nodes& nodes, const Field& field,
+                          Vec<D, R> (&to)[kGroupNodes<D, Group>]) const {
+    constexpr int kWide = lanes<Wide>(), kParts = W / kWide;
+    Wide origin[D][kParts];
+    Index n[W];
+    numbers<D>(nodes, 0, n);
+    for (int d = 0; d < D; ++d) {
+      for (int p = 0; p < kParts; ++p) origin[d][p] = read_wide(field, n + p * kWide, d);
+      to[0][d] = R(0);
+    }
+    for (int a = 1; a < kGroupNodes<D, Group>; ++a) {
+      numbers<D>(nodes, a, n);
+      for (int d = 0; d < D; ++d) {
+        double difference[W];
+        for (int p = 0; p < kParts; ++p)
+          store(read_wide(field, n + p * kWide, d) - origin[d][p], difference + p * kWide);
+        to[a][d] = load<R>(static_cast<const double*>(difference));
+      }
     }
   }
 };

@@ -38,6 +38,10 @@ template <int D>
 void anisotropic_force(const ElementForceIn<D>& in, const ElementForceOut<D>& out,
                        const AnisotropicState<D>& state);
 
+template <int D>
+void anisotropic_force_single(const ElementForceIn<D>& in, const ElementForceOut<D>& out,
+                              const AnisotropicState<D>& state);
+
 extern template void inelastic_force(const ElementForceIn<2>&, const ElementForceOut<2>&,
                                      const PlasticLaw&, const InelasticState<2>&);
 extern template void inelastic_force(const ElementForceIn<3>&, const ElementForceOut<3>&,
@@ -46,5 +50,10 @@ extern template void anisotropic_force(const ElementForceIn<2>&, const ElementFo
                                        const AnisotropicState<2>&);
 extern template void anisotropic_force(const ElementForceIn<3>&, const ElementForceOut<3>&,
                                        const AnisotropicState<3>&);
+
+extern template void anisotropic_force_single(const ElementForceIn<2>&, const ElementForceOut<2>&,
+                                              const AnisotropicState<2>&);
+extern template void anisotropic_force_single(const ElementForceIn<3>&, const ElementForceOut<3>&,
+                                              const AnisotropicState<3>&);
 
 }  // namespace breccia

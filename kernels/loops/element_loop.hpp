@@ -1,73 +1,7 @@
 #pragma once
-#include "loops/element_force.hpp"
-#include "loops/element_group.hpp"
+#include "loops/element_shape.hpp"
 
 namespace breccia {
-
-/// What the loop is asked to do besides forces, known when the code is compiled (the simplest
-/// elements) or when it runs.
-template <bool kDamped, bool kWatched, bool kStored>
-struct FixedWishes {
-  static constexpr bool damped = kDamped, watched = kWatched, stored = kStored, shocked = false,
-                        shared = false, paced = false;
-};
-struct Wishes {
-  bool damped, watched, stored;
-  bool shocked;  ///< bulk viscosity
-  bool shared;   ///< elements carry a share of their stress
-  bool paced;    ///< the time step wants to know moduli
-};
-
-template <int D>
-Wishes wishes_of(const ElementForceIn<D>& in, const ElementForceOut<D>& out) {
-  return {in.damping > 0,           in.watch.on,
-          out.stress.extent(0) > 0, in.shock_quadratic > 0 || in.shock_linear > 0,
-          in.share.extent(0) > 0,   out.modulus.extent(0) > 0};
-}
-
-/// Shape of one sub-element now.
-template <int D, class R>
-struct SubShape {
-  Mat<D, R> f;          ///< deformation gradient, columns along the material axes
-  Mat<D, R> cofactors;  ///< of the edge matrix
-  R det;                ///< of the edge matrix: D! times the volume
-  R jacobian;
-  R shift;  ///< what the shared dilation adds to each normal strain
-  R share;  ///< of its stress that the element carries
-  R work;   ///< of plastic flow in this step per reference volume, J/m3
-  R shock;  ///< bulk viscosity, Pa
-};
-
-/// Volume of a group, times D! and over the thickness, and what bulk viscosity does to it.
-template <class R>
-struct GroupVolume {
-  R now, original;
-  R shock_work;  ///< heat of bulk viscosity in this step per reference volume, J/m3
-};
-
-/// eq:solid-16  tau = dev tau + (J / Jbar) mbar 1, mbar = sum V0 m / V0 with m the mean stress:
-/// with eq:solid-15 the exact derivative of the group's energy sum V0 w(eps).
-template <int D, int Group, class R>
-KOKKOS_FORCEINLINE_FUNCTION
-void share_mean(const GroupVolume<R>& volume, const SubShape<D, R> (&shape)[Group],
-                FullSym<D, R> (&tau)[Group]) {
-  R mean[Group], sum = R(0);
-  for (int s = 0; s < Group; ++s) {
-    mean[s] = trace(tau[s]) * R(1.0 / 3);
-    sum = sum + mean[s] * shape[s].det / shape[s].jacobian;
-  }
-  const R shared = sum / volume.now;
-  for (int s = 0; s < Group; ++s) tau[s].add_identity(shape[s].jacobian * shared - mean[s]);
-}
-
-/// Adds what each lane stores, J.
-template <class Lanes, class R>
-KOKKOS_FORCEINLINE_FUNCTION
-void book_stored(const Lanes& lanes, const R& energy, Sums<element_sum::count>& sums) {
-  double e[Lanes::W];
-  store(energy, e);
-  for (int l = 0; l < lanes.count(); ++l) sums[element_sum::stored] += e[l];
-}
 
 /// The one loop over elements. A pack computes W groups: shapes, one dilation for the group, the
 /// response of each sub-element, one mean stress for the group, forces. What a material is, only
@@ -76,9 +10,9 @@ void book_stored(const Lanes& lanes, const R& energy, Sums<element_sum::count>& 
 /// gives the Kirchhoff stress of a sub-element and books its energy,
 ///   R settle(const Lanes&, GroupVolume&, SubShape (&)[Group], FullSym (&)[Group], Sums&) const
 /// the group's mean stress; its result is the P-wave modulus for the time step, Pa.
-template <int D, int Group, class Response, class Wish>
+template <int D, int Group, class Response, class Wish, class Real = Pack>
 struct ElementLoop {
-  using R = Pack;
+  using R = Real;
   static constexpr int W = lanes<R>();
   static constexpr int kNodes = kGroupNodes<D, Group>;
   using Lanes = GroupLanes<Group, R>;
@@ -96,13 +30,14 @@ struct ElementLoop {
   void operator()(Index first, Totals& sums) const {
     const Lanes lanes{in.begin, first, (in.end - in.begin) / Group};
     Vec<D, R> x[kNodes];
-    lanes.template gather<D>(in.nodes, in.x, x);
     Shapes shape;
-    GroupVolume<R> volume{R(0), R(0), R(0)};
+    form_all(lanes, x, shape);
+    GroupVolume<R> volume{R(0), R(0), R(0), R(0)};
     for (int s = 0; s < Group; ++s) {
-      form(lanes, x, s, shape[s]);
+      const R original = shape[s].det / shape[s].jacobian;
       volume.now = volume.now + shape[s].det;
-      volume.original = volume.original + shape[s].det / shape[s].jacobian;
+      volume.original = volume.original + original;
+      if constexpr (kSingle<R>) volume.growth = volume.growth + shape[s].dilation * original;
     }
     if constexpr (Group > 1) share_dilation(volume, shape);
     R stiffening = R(1);
@@ -130,16 +65,80 @@ struct ElementLoop {
     return s;
   }
 
+  /// Shapes of all sub-elements and positions of the nodes; in single precision these are relative
+  /// to the first node and known only where something is viscous.
+  KOKKOS_FORCEINLINE_FUNCTION
+  void form_all(const Lanes& lanes, Vec<D, R> (&x)[kNodes], Shapes& shape) const {
+    if constexpr (kSingle<R>) {
+      Vec<D, R> u[kNodes];
+      lanes.template gather<D>(in.nodes, in.moved, u);
+      const bool viscous = wish.damped || wish.shocked;
+      if (Response::kAxes || viscous) {
+        lanes.template gather<D>(in.nodes, in.x, x);
+        for (int a = 0; a < kNodes; ++a) x[a] -= u[a];  // where they began
+      }
+      for (int s = 0; s < Group; ++s) {
+        form_moved(lanes, u, x, s, shape[s]);
+        complete(lanes, s, shape[s]);
+      }
+      if (viscous)
+        for (int a = 0; a < kNodes; ++a) x[a] += u[a];
+    } else {
+      lanes.template gather<D>(in.nodes, in.x, x);
+      for (int s = 0; s < Group; ++s) {
+        form(lanes, x, s, shape[s]);
+        complete(lanes, s, shape[s]);
+      }
+    }
+  }
+
+  template <class Field>
+  KOKKOS_FORCEINLINE_FUNCTION
+  static Mat<D, R> read_matrix(const Lanes& lanes, const Field& field, int s) {
+    Mat<D, R> m;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) m(i, j) = lanes.read(field, s, i, j);
+    return m;
+  }
+
   KOKKOS_FORCEINLINE_FUNCTION
   void form(const Lanes& lanes, const Vec<D, R> (&x)[kNodes], int s, SubShape<D, R>& shape) const {
     const Mat<D, R> g = sub_edges<D, Group, R>(x, s);
-    Mat<D, R> reference;
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) reference(i, j) = lanes.read(in.reference, s, i, j);
+    const Mat<D, R> reference = read_matrix(lanes, in.reference, s);
     shape.cofactors = cofactor(g);
     shape.det = dot_columns(g, shape.cofactors);
     shape.f = g * reference;
     shape.jacobian = shape.det * determinant(reference);
+  }
+
+  /// From displacements u: with R the inverse of the reference edges along the axes A, the
+  /// gradient is H = u R A^T, J - 1 = det(1 + H) - 1, and the cofactors of the edges now are
+  /// cof(1 + H) A R^T / det R.
+  KOKKOS_FORCEINLINE_FUNCTION
+  void form_moved(const Lanes& lanes, const Vec<D, R> (&u)[kNodes],
+                  const Vec<D, R> (&start)[kNodes], int s, SubShape<D, R>& shape) const {
+    const Mat<D, R> reference = read_matrix(lanes, in.reference_single, s);
+    Mat<D, R> h = sub_edges<D, Group, R>(u, s) * reference, back = transpose(reference);
+    if constexpr (Response::kAxes) {
+      shape.axes = sub_edges<D, Group, R>(start, s) * reference;
+      h = h * transpose(shape.axes);
+      back = shape.axes * back;
+    }
+    Mat<D, R> f = h;
+    for (int i = 0; i < D; ++i) f(i, i) = f(i, i) + R(1);
+    const R over = R(1) / determinant(reference);
+    shape.gradient = h;
+    shape.dilation = volume_growth(h);
+    shape.jacobian = R(1) + shape.dilation;
+    shape.det = shape.jacobian * over;
+    shape.cofactors = cofactor(f) * back;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) shape.cofactors(i, j) = shape.cofactors(i, j) * over;
+    if constexpr (Response::kAxes) shape.f = f * shape.axes;
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION
+  void complete(const Lanes& lanes, int s, SubShape<D, R>& shape) const {
     shape.shift = R(0);
     shape.share = wish.shared ? lanes.read(in.share, s) : R(1);
     shape.work = R(0);
@@ -162,9 +161,15 @@ struct ElementLoop {
   KOKKOS_FORCEINLINE_FUNCTION
   void share_dilation(const GroupVolume<R>& volume, Shapes& shape) const {
     if (in.flat) return;
-    const R whole = log_near_one(volume.now / volume.original);
-    for (int s = 0; s < Group; ++s)
-      shape[s].shift = (whole - log_near_one(shape[s].jacobian)) * R(1.0 / 3);
+    if constexpr (kSingle<R>) {
+      const R whole = log_of_one_plus(volume.growth / volume.original);
+      for (int s = 0; s < Group; ++s)
+        shape[s].shift = (whole - log_of_one_plus(shape[s].dilation)) * R(1.0 / 3);
+    } else {
+      const R whole = log_near_one(volume.now / volume.original);
+      for (int s = 0; s < Group; ++s)
+        shape[s].shift = (whole - log_near_one(shape[s].jacobian)) * R(1.0 / 3);
+    }
   }
 
   /// Bulk viscosity: q = rho l (a l tr(d)^2 + b c |tr(d)|) where a sub-element is
@@ -189,7 +194,7 @@ struct ElementLoop {
       shape[s].shock = R(in.density) / shape[s].jacobian * size * closing *
                        (quick + R(in.shock_linear * in.wave_speed));
       heat = heat + shape[s].shock * closing * shape[s].det;
-      const R linear = minimum(closing * R(1e300), R(in.shock_linear));
+      const R linear = minimum(closing * R(1e30), R(in.shock_linear));
       excess = maximum(excess, linear + quick * R(1 / in.wave_speed));
     }
     const R slow = excess + square_root(R(1) + excess * excess);
@@ -300,83 +305,52 @@ struct ElementLoop {
   KOKKOS_FORCEINLINE_FUNCTION
   void put(const Lanes& lanes, int s, const Sym<D, R>& tau, const SubShape<D, R>& shape) const {
     const R scale = R(-in.thickness / kFactorial<D>) / shape.jacobian;
-    double f[D + 1][D][W];
-    Vec<D, R> rest = Vec<D, R>::zero();
+    R corner[D][D];  // component, corner
     for (int a = 0; a < D; ++a) {
       Vec<D, R> normal;
       for (int i = 0; i < D; ++i) normal[i] = shape.cofactors(i, a) * scale;
       const Vec<D, R> fa = tau * normal;
-      rest -= fa;
-      for (int i = 0; i < D; ++i) store(fa[i], f[a + 1][i]);
+      for (int i = 0; i < D; ++i) corner[i][a] = fa[i];
     }
-    for (int i = 0; i < D; ++i) store(rest[i], f[0][i]);
+    Lane<R> f[D + 1][D][W];
+    for (int i = 0; i < D; ++i) {
+      if constexpr (kSingle<R>) round_together(corner[i]);
+      R rest = R(0);
+      for (int a = 0; a < D; ++a) {
+        rest = rest - corner[i][a];
+        store(corner[i][a], f[a + 1][i]);
+      }
+      store(rest, f[0][i]);
+    }
+    if constexpr (!kSingle<R>)
+      if (out.force_single.extent(0) > 0) return put_narrowed(lanes, s, f);
+    const auto& force = [this]() -> const auto& {
+      if constexpr (kSingle<R>)
+        return out.force_single;
+      else
+        return out.force;
+    }
+    ();
     for (int l = 0; l < lanes.count(); ++l)
       for (int a = 0; a <= D; ++a)
-        for (int i = 0; i < D; ++i) out.force(lanes.element(l, s), a, i) = f[a][i][l];
+        for (int i = 0; i < D; ++i) force(lanes.element(l, s), a, i) = f[a][i][l];
+  }
+
+  /// Forces of double precision for a run whose field of forces is single.
+  KOKKOS_FUNCTION
+  void put_narrowed(const Lanes& lanes, int s, const Lane<R> (&f)[D + 1][D][W]) const {
+    for (int l = 0; l < lanes.count(); ++l)
+      for (int i = 0; i < D; ++i) {
+        float corner[D], rest = 0;
+        for (int a = 0; a < D; ++a) corner[a] = static_cast<float>(f[a + 1][i][l]);
+        round_together(corner);
+        for (int a = 0; a < D; ++a) {
+          rest -= corner[a];
+          out.force_single(lanes.element(l, s), a + 1, i) = corner[a];
+        }
+        out.force_single(lanes.element(l, s), 0, i) = rest;
+      }
   }
 };
-
-/// Groups per chunk: about kChunk elements, whole packs.
-template <int Group>
-inline constexpr Index kGroupChunk = (kChunk / Group + 7) / 8 * 8;
-
-KOKKOS_INLINE_FUNCTION
-void add(const ElementSums& total, Index chunk, const Sums<element_sum::count>& sums) {
-  for (int k = 0; k < element_sum::stored; ++k) total(chunk, k) += sums[k];
-  total(chunk, element_sum::stored) = sums[element_sum::stored];
-}
-
-/// Runs the loop over chunks of packs, counted from the block's first group. What is stored is of
-/// this step, the other sums grow.
-template <int D, int Group, class Response, class Wish>
-void launch(const ElementLoop<D, Group, Response, Wish>& loop) {
-  using Loop = ElementLoop<D, Group, Response, Wish>;
-  const Index groups = (loop.in.end - loop.in.begin) / Group;
-  const ElementSums total = loop.out.sums;
-  constexpr Index kSize = kGroupChunk<Group>;
-  count_launch();
-  if constexpr (kOnDevice) {
-    using Policy = Kokkos::TeamPolicy<Exec, Kokkos::IndexType<Index>>;
-    Kokkos::parallel_for(
-        "breccia::solid::element_force", Policy((groups + kSize - 1) / kSize, 128),
-        KOKKOS_LAMBDA(const typename Policy::member_type& team) {
-          const Index from = team.league_rank() * kSize;
-          const Index to = from + kSize < groups ? from + kSize : groups;
-          typename Loop::Totals sums;
-          Kokkos::parallel_reduce(
-              Kokkos::TeamThreadRange(team, from, to),
-              [&](Index i, typename Loop::Totals& part) { loop(i, part); },
-              Kokkos::Sum<typename Loop::Totals>(sums));
-          Kokkos::single(Kokkos::PerTeam(team), [&]() { add(total, team.league_rank(), sums); });
-        });
-  } else {
-    Kokkos::parallel_for(
-        "breccia::solid::element_force",
-        Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, (groups + kSize - 1) / kSize),
-        KOKKOS_LAMBDA(Index chunk) {
-          const Index from = chunk * kSize;
-          const Index to = from + kSize < groups ? from + kSize : groups;
-          typename Loop::Totals sums;
-          for (Index first = from; first < to; first += Loop::W) loop(first, sums);
-          add(total, chunk, sums);
-        });
-  }
-}
-
-/// Runs the loop with the block's group size.
-template <int D, class Response>
-void launch_groups(const ElementForceIn<D>& in, const ElementForceOut<D>& out,
-                   const Response& response) {
-  const Wishes wish = wishes_of(in, out);
-  if (in.end <= in.begin) return;
-  if (in.group == 1) return launch(ElementLoop<D, 1, Response, Wishes>{in, out, response, wish});
-  if constexpr (D == 2) return launch(ElementLoop<2, 4, Response, Wishes>{in, out, response, wish});
-  if constexpr (D == 3) {
-    if (in.group == 8)
-      launch(ElementLoop<3, 8, Response, Wishes>{in, out, response, wish});
-    else
-      launch(ElementLoop<3, 12, Response, Wishes>{in, out, response, wish});
-  }
-}
 
 }  // namespace breccia

@@ -15,7 +15,7 @@ struct NetForce {
     Vec<D> f = in.gravity * (in.mass(n) - added);
     for (Index k = in.corners(n, 0); k < in.corners(n, 1); ++k) {
       const auto at = static_cast<std::ptrdiff_t>(in.corner_list(k)) * D;
-      for (int d = 0; d < D; ++d) f[d] += in.element_force.data()[at + d];
+      for (int d = 0; d < D; ++d) f[d] += in.element_force.at(in.corner_list(k), d);
       for (int c = 0; c < kExtraClasses; ++c) {
         if ((flags & in.extra_bit[c]) == 0) continue;
         for (int d = 0; d < D; ++d) f[d] += in.extra[c].data()[at + d];

@@ -7,9 +7,11 @@ namespace breccia {
 
 namespace {
 
-template <int D>
+/// F: type of the elements' corner forces. All sums are of doubles.
+template <int D, class F>
 struct NodeMotionLoop {
   NodeMotionIn<D> in;
+  const F* element_force;
   NodeMotionOut<D> out;
   std::uint32_t extra_any;  ///< bits of all classes
   Index nodes;
@@ -53,7 +55,9 @@ struct NodeMotionLoop {
     work[5] += dot(reaction, way);
     if (in.resisting > 0) work[6] += dot(drag, way);
     set_row<D>(out.v, n, v_new);
-    set_row<D>(out.x, n, row<D>(out.x, n) + v_new * in.dt);
+    const Vec<D> x = row<D>(out.x, n) + v_new * in.dt;
+    set_row<D>(out.x, n, x);
+    if (out.moved.extent(0) > 0) set_row<D>(out.moved, n, x - row<D>(in.reference, n));
   }
 
  private:
@@ -71,8 +75,7 @@ struct NodeMotionLoop {
   Vec<D> gather(Index begin, Index end) const {
     Vec<D> f = Vec<D>::zero();
     for (Index k = begin; k < end; ++k) {
-      const double* corner =
-          in.element_force.data() + static_cast<std::ptrdiff_t>(in.corner_list(k)) * D;
+      const F* corner = element_force + static_cast<std::ptrdiff_t>(in.corner_list(k)) * D;
       for (int d = 0; d < D; ++d) f[d] += corner[d];
     }
     return f;
@@ -87,7 +90,7 @@ struct NodeMotionLoop {
     if ((in.flags(n) & extra_any) == 0) return;
     for (Index k = in.corners(n, 0); k < in.corners(n, 1); ++k) {
       const auto at = static_cast<std::ptrdiff_t>(in.corner_list(k)) * D;
-      fetch(in.element_force.data() + at);
+      fetch(element_force + at);
       for (int c = 0; c < kExtraClasses; ++c)
         if ((in.flags(n) & in.extra_bit[c]) != 0) fetch(in.extra[c].data() + at);
     }
@@ -96,19 +99,22 @@ struct NodeMotionLoop {
   static constexpr Index kAhead = 12;
 
   /// All classes in one round over the corners. A class that the node does not have reads the
-  /// element's force, which is at hand, and takes nothing of it: no branch that cannot be foretold.
+  /// force of one that it has and takes nothing of it: no branch that cannot be foretold.
   KOKKOS_FORCEINLINE_FUNCTION
   void gather_all(Index begin, Index end, std::uint32_t flags, Forces& f) const {
     const double* base[kExtraClasses];
     double share[kExtraClasses];
+    const double* at_hand = nullptr;
+    for (int c = 0; c < kExtraClasses; ++c)
+      if ((flags & in.extra_bit[c]) != 0) at_hand = in.extra[c].data();
     for (int c = 0; c < kExtraClasses; ++c) {
       const bool has = (flags & in.extra_bit[c]) != 0;
-      base[c] = has ? in.extra[c].data() : in.element_force.data();
+      base[c] = has ? in.extra[c].data() : at_hand;
       share[c] = has ? 1.0 : 0.0;
     }
     for (Index k = begin; k < end; ++k) {
       const auto at = static_cast<std::ptrdiff_t>(in.corner_list(k)) * D;
-      for (int d = 0; d < D; ++d) f.element[d] += in.element_force.data()[at + d];
+      for (int d = 0; d < D; ++d) f.element[d] += element_force[at + d];
       for (int c = 0; c < kExtraClasses; ++c)
         for (int d = 0; d < D; ++d) f.extra[c][d] += share[c] * base[c][at + d];
     }
@@ -173,8 +179,15 @@ struct NodeMotionLoop {
 template <int D>
 void node_motion(Index nodes, const NodeMotionIn<D>& in, const NodeMotionOut<D>& out) {
   const std::uint32_t any = in.extra_bit[0] | in.extra_bit[1] | in.extra_bit[2];
-  for_each_summed<kWorks>("breccia::motion::node_motion", nodes, out.work,
-                          NodeMotionLoop<D>{in, out, any, nodes});
+  const auto run = [&](const auto* force) {
+    using F = std::remove_cv_t<std::remove_pointer_t<decltype(force)>>;
+    for_each_summed<kWorks>("breccia::motion::node_motion", nodes, out.work,
+                            NodeMotionLoop<D, F>{in, force, out, any, nodes});
+  };
+  if (in.element_force.single.extent(0) > 0)
+    run(in.element_force.single.data());
+  else
+    run(in.element_force.wide.data());
 }
 
 template void node_motion<2>(Index, const NodeMotionIn<2>&, const NodeMotionOut<2>&);

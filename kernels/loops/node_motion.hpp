@@ -17,7 +17,7 @@ template <int D>
 struct NodeMotionIn {
   ConstRanges corners;  ///< per node
   Kokkos::View<const Index*, Memory> corner_list;
-  ConstCornerForces<D> element_force;
+  AnyCornerForces<D> element_force;
   Kokkos::Array<ConstCornerForces<D>, kExtraClasses> extra;  ///< interface, contact, load
   Kokkos::Array<std::uint32_t, kExtraClasses> extra_bit;     ///< 0 where the class is absent
   Kokkos::View<const std::uint32_t*, Memory> flags;
@@ -44,6 +44,7 @@ struct NodeMotionOut {
   Vectors<D> x, v;
   Vectors<D> reaction;     ///< N; empty where nothing is prescribed
   ChunkSums<kWorks> work;  ///< J, adds this step's work of every force class
+  Vectors<D> moved = {};   ///< x - X, m, with the reference of the input; empty: not wanted
 };
 
 /// Gathers the forces of each node in corner order and moves it:

@@ -21,12 +21,12 @@ NodeBalance node_balance(Index nodes, Index corners, const NodeMotionIn<D>& in,
       },
       Kokkos::Max<double>(balance.largest));
   Kokkos::deep_copy(rows, 0.0);
-  const ConstCornerForces<D> force = in.element_force;
+  const AnyCornerForces<D> force = in.element_force;
   for_each_summed<1>(
       "breccia::rest::corner_force", corners, rows, KOKKOS_LAMBDA(Index k, Sums<1> & sum) {
         double square = 0;
         for (int d = 0; d < D; ++d) {
-          const double f = force.data()[static_cast<std::ptrdiff_t>(k) * D + d];
+          const double f = force.at(k, d);
           square += f * f;
         }
         sum[0] += Kokkos::sqrt(square);

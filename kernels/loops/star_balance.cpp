@@ -81,7 +81,7 @@ struct BalanceLoop {
       for (int d = 0; d < D; ++d) {
         double f = 0;
         for (int k = 0; k < kCornerForceClasses; ++k)
-          if (in.force[k].extent(0) > 0)
+          if (in.force[k].present())
             f += in.force[k](in.map.element(corner(g, i)), in.map.local(corner(g, i)), d);
         w.wanted(c, d) -= f;
         total[d] += f;

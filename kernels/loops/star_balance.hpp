@@ -10,7 +10,7 @@ template <int D>
 struct StarBalanceIn {
   StarMap<D> map;
   StarWork<D> work;  ///< with components and owners; the nodes are still the old ones
-  Kokkos::Array<ConstCornerForces<D>, kCornerForceClasses> force;  ///< N; empty where absent
+  Kokkos::Array<AnyCornerForces<D>, kCornerForceClasses> force;  ///< N; empty where absent
   CornerMass<D> corner_mass;
   ConstArray<std::uint32_t> flags;
   std::uint32_t fixed_x;  ///< flag of a prescribed first component; the others follow

@@ -100,7 +100,7 @@ struct TipLoop {
   Vec<D> corner_force(const Group& g, Index i) const {
     Vec<D> f = Vec<D>::zero();
     for (int k = 0; k < kCornerForceClasses; ++k)
-      if (in.force[k].extent(0) > 0)
+      if (in.force[k].present())
         for (int d = 0; d < D; ++d) f[d] += in.force[k](element(g, i), local(g, i), d);
     return f;
   }

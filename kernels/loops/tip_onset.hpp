@@ -17,7 +17,7 @@ struct TipOnsetIn {
   StarMap<D> map;
   ConstArray<Index> of_face;  ///< interface of a face
   CornerFlags<D> active;
-  Kokkos::Array<ConstCornerForces<D>, kCornerForceClasses> force;  ///< N; empty where absent
+  Kokkos::Array<AnyCornerForces<D>, kCornerForceClasses> force;  ///< N; empty where absent
   CornerMass<D> corner_mass;
   ConstArray<Index> family;         ///< of nodes
   ConstArray<std::uint32_t> flags;  ///< of nodes

@@ -31,9 +31,22 @@ Sym<2, R> hencky_strain(const Sym<2, R>& b, const R& jacobian) {
   return {{mean + scale * half, mean - scale * half, scale * b.s[2]}};
 }
 
+/// The same from E = B - 1 and J - 1, which may be known better than B and J.
+template <class R>
+KOKKOS_FUNCTION
+Sym<2, R> hencky_strain_of_growth(const Sym<2, R>& e, const R& dilation) {
+  const R four_over = R(1) / (R(4) + (e.s[0] + e.s[1] + R(2) * dilation));
+  const R half = R(0.5) * (e.s[0] - e.s[1]);
+  const R radius2 = half * half + e.s[2] * e.s[2];
+  const R scale = R(2) * atanh_ratio(R(4) * radius2 * four_over * four_over) * four_over;
+  const R mean = R(0.5) * log_of_one_plus(dilation);
+  return {{mean + scale * half, mean - scale * half, scale * e.s[2]}};
+}
+
 namespace hencky {
 /// Series terms in space and the largest |X|^2 that they reach with round-off accuracy.
-inline constexpr int kTerms = 14;
+template <class R>
+inline constexpr int kTerms = kSingle<R> ? 7 : 14;
 inline constexpr double kReach = 0.08;
 
 /// (a + 1)^-1.
@@ -66,8 +79,8 @@ Sym<3, R> series_factor(const Sym<3, R>& y) {
   const R i3 = y.s[0] * (y.s[1] * y.s[2] - y.s[3] * y.s[3]) -
                y.s[5] * (y.s[5] * y.s[2] - y.s[3] * y.s[4]) +
                y.s[4] * (y.s[5] * y.s[3] - y.s[1] * y.s[4]);
-  R a = R(1.0 / (2 * kTerms - 1)), b = R(0), c = R(0);
-  for (int k = kTerms - 2; k >= 0; --k) {
+  R a = R(1.0 / (2 * kTerms<R> - 1)), b = R(0), c = R(0);
+  for (int k = kTerms<R> - 2; k >= 0; --k) {
     const R next_a = c * i3 + R(1.0 / (2 * k + 1));
     const R next_b = a - c * i2;
     c = b + c * i1;
@@ -80,26 +93,44 @@ Sym<3, R> series_factor(const Sym<3, R>& y) {
 }
 }  // namespace hencky
 
+namespace hencky {
+/// atanh X = ln V; by the eigenvalues of B in lanes that the series does not reach.
+template <class R>
+KOKKOS_FORCEINLINE_FUNCTION
+Sym<3, R> strain_of(const Sym<3, R>& x, const Sym<3, R>& b) {
+  const Sym<3, R> y = commuting_product(x, x);
+  Sym<3, R> eps = commuting_product(x, series_factor(y));
+  if (any(!(trace(y) <= R(kReach)))) {
+    double lanes_of_b[6][lanes<R>()];
+    for (int i = 0; i < 6; ++i) store(b.s[i], lanes_of_b[i]);
+    for (int l = 0; l < lanes<R>(); ++l) {
+      Sym<3> one;
+      for (int i = 0; i < 6; ++i) one.s[i] = lanes_of_b[i][l];
+      one = by_eigenvalues(one);
+      for (int i = 0; i < 6; ++i) lanes_of_b[i][l] = one.s[i];
+    }
+    for (int i = 0; i < 6; ++i) eps.s[i] = load<R>(lanes_of_b[i]);
+  }
+  return eps;
+}
+}  // namespace hencky
+
 /// eq:solid-2  ln V in space: X = (B - 1)(B + 1)^-1 = tanh(ln V), so ln V = atanh X.
 template <class R>
 KOKKOS_FUNCTION
 Sym<3, R> hencky_strain(const Sym<3, R>& b, const R& /*jacobian*/) {
   Sym<3, R> x = hencky::inverse_of_one_plus(b) * R(-2);
   for (int i = 0; i < 3; ++i) x.s[i] = x.s[i] + R(1);
-  const Sym<3, R> y = commuting_product(x, x);
-  Sym<3, R> eps = commuting_product(x, hencky::series_factor(y));
-  if (any(!(trace(y) <= R(hencky::kReach)))) {
-    double lanes_of_b[6][lanes<R>()];
-    for (int i = 0; i < 6; ++i) store(b.s[i], lanes_of_b[i]);
-    for (int l = 0; l < lanes<R>(); ++l) {
-      Sym<3> one;
-      for (int i = 0; i < 6; ++i) one.s[i] = lanes_of_b[i][l];
-      one = hencky::by_eigenvalues(one);
-      for (int i = 0; i < 6; ++i) lanes_of_b[i][l] = one.s[i];
-    }
-    for (int i = 0; i < 6; ++i) eps.s[i] = load<R>(lanes_of_b[i]);
-  }
-  return eps;
+  return hencky::strain_of(x, b);
+}
+
+/// The same from E = B - 1.
+template <class R>
+KOKKOS_FUNCTION
+Sym<3, R> hencky_strain_of_growth(const Sym<3, R>& e, const R& /*dilation*/) {
+  Sym<3, R> b = e;
+  for (int i = 0; i < 3; ++i) b.s[i] = b.s[i] + R(1);
+  return hencky::strain_of(commuting_product(e, hencky::inverse_of_one_plus(b)), b);
 }
 
 struct HenckyElastic {

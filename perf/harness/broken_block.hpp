@@ -23,8 +23,8 @@ template <int D>
 struct BrokenBlock : RunningScene<D> {
   InterfaceLists<D> lists;
 
-  explicit BrokenBlock(double elements, const std::string& law = breakable(0))
-      : RunningScene<D>(shaking_block<D>(elements, law)) {
+  explicit BrokenBlock(double elements, const std::string& law = breakable(0), bool mixed = false)
+      : RunningScene<D>(shaking_block<D>(elements, law, {.mixed = mixed})) {
     Model<D>& model = this->simulation->model();
     if (model.store.count(Entity::interface) == 0) return;  // not broken yet
     lists.rebuild(model, 1);

@@ -29,6 +29,7 @@ struct RunningScene {
 struct BlockKind {
   std::string element = {};  ///< tri3 or tet4 if empty
   int group = 1;             ///< sub-elements of that element
+  bool mixed = false;        ///< precision
   std::string elastic = "elastic = { young = 60e9, poisson = 0.25 }\n";
 };
 
@@ -42,7 +43,8 @@ std::string shaking_block(double elements, const std::string& extra = {},
   const std::string cells = std::to_string(n);
   const bool plane = D == 2;
   return std::string("[run]\ndimension = ") + (plane ? "2" : "3") +
-         "\nduration = 1.0\n[[body]]\nname = \"block\"\nmaterial = \"rock\"\n" +
+         "\nduration = 1.0\nprecision = \"" + (kind.mixed ? "mixed" : "double") +
+         "\"\n[[body]]\nname = \"block\"\nmaterial = \"rock\"\n" +
          (plane ? "shape = { rectangle = { corner = [0, 0], size = [1, 1] } }\n"
                 : "shape = { box = { corner = [0, 0, 0], size = [1, 1, 1] } }\n") +
          "mesh = { generator = \"structured\", jitter = 0.1, pattern = \"" +

@@ -2,6 +2,7 @@
 #include "harness/broken_block.hpp"
 #include "harness/report.hpp"
 #include "loops/node_rest.hpp"
+#include "step/node_forces.hpp"
 
 #include <cmath>
 
@@ -14,7 +15,8 @@ NodeMotionIn<D> motion_in(const Model<D>& model) {
   NodeMotionIn<D> in;
   in.corners = s.get<NodeCorners>();
   in.corner_list = s.get<CornerList>();
-  in.element_force = s.get<ElementForce<D>>();
+  in.element_force = element_forces<D>(s);
+  in.reference = s.get<NodeReference<D>>();
   in.extra[0] = s.get<InterfaceForce<D>>();
   in.extra_bit = {node_flag::interface, 0, 0};
   in.flags = s.get<NodeFlags>();
@@ -26,17 +28,23 @@ NodeMotionIn<D> motion_in(const Model<D>& model) {
   return in;
 }
 
+template <int D, class Force>
+void push(const Force& force) {
+  for_each(
+      "breccia::perf::push", static_cast<Index>(force.extent(0)), KOKKOS_LAMBDA(Index e) {
+        for (int a = 0; a <= D; ++a)
+          for (int d = 0; d < D; ++d) force(e, a, d) = d == 0 ? 1 : 0;
+      });
+}
+
 /// One newton along x per corner and class: the momentum that all nodes gain, the work on them.
 template <int D>
 void verify(benchmark::State& state, const Model<D>& model, const NodeMotionIn<D>& in,
             const NodeMotionOut<D>& out) {
   const Store& s = model.store;
-  for (const auto& force : {s.get<ElementForce<D>>(), s.get<InterfaceForce<D>>()})
-    for_each(
-        "breccia::perf::push", model.elements(), KOKKOS_LAMBDA(Index e) {
-          for (int a = 0; a <= D; ++a)
-            for (int d = 0; d < D; ++d) force(e, a, d) = d == 0 ? 1.0 : 0.0;
-        });
+  push<D>(s.get_or_empty<ElementForce<D>>());
+  push<D>(s.get_or_empty<ElementForceSingle<D>>());
+  push<D>(s.get<InterfaceForce<D>>());
   const auto momentum = [&] {
     const auto mass = s.get<NodeMass>();
     const auto v = s.get<NodeVelocity<D>>();
@@ -57,18 +65,20 @@ void verify(benchmark::State& state, const Model<D>& model, const NodeMotionIn<D
 
 template <int D>
 void motion(benchmark::State& state) {
-  BrokenBlock<D> block(static_cast<double>(state.range(0)));
+  const bool mixed = state.range(1) != 0;
+  BrokenBlock<D> block(static_cast<double>(state.range(0)), breakable(0), mixed);
   const Model<D>& model = block.simulation->model();
   const NodeMotionIn<D> in = motion_in(model);
   const NodeMotionOut<D> out{model.store.template get<NodePosition<D>>(),
                              model.store.template get<NodeVelocity<D>>(),
                              {},
-                             ChunkSums<kWorks>("breccia::perf::work", chunks_of(model.nodes()))};
+                             ChunkSums<kWorks>("breccia::perf::work", chunks_of(model.nodes())),
+                             model.store.template get_or_empty<NodeMoved<D>>()};
   verify(state, model, in, out);
   for (auto _ : state) node_motion(model.nodes(), in, out);
   // Range, flags, mass, position and velocity read and written; one corner per node: its number and
-  // the forces of two classes.
-  report(state, model.nodes(), 8 + 4 + 8 + 4 * 8.0 * D + 4 + 2 * 8.0 * D);
+  // the forces of two classes. In mixed precision one of them is single, and the way moved written.
+  report(state, model.nodes(), 8 + 4 + 8 + 4 * 8.0 * D + 4 + (mixed ? 36.0 : 16.0) * D);
 }
 
 /// The same loop where every corner belongs to a boundary that lets waves out, at worst.
@@ -148,8 +158,14 @@ void step_length(benchmark::State& state) {
   report(state, model.nodes(), node + element / (D + 1));
 }
 
-BENCHMARK(motion<2>)->Name("node_motion.plane")->Apply(one_size);
-BENCHMARK(motion<3>)->Name("node_motion.space")->Apply(one_size);
+/// In double and in mixed precision.
+void both_precisions(benchmark::internal::Benchmark* b) {
+  b->ArgNames({"elements", "mixed"})->Unit(benchmark::kMillisecond)->UseRealTime();
+  b->ArgsProduct({{smoke() ? 2000 : 30000}, {0, 1}});
+}
+
+BENCHMARK(motion<2>)->Name("node_motion.plane")->Apply(both_precisions);
+BENCHMARK(motion<3>)->Name("node_motion.space")->Apply(both_precisions);
 BENCHMARK(absorbing_motion<2>)->Name("node_motion.absorbing.plane")->Apply(one_size);
 BENCHMARK(absorbing_motion<3>)->Name("node_motion.absorbing.space")->Apply(one_size);
 BENCHMARK(kinetic<2>)->Name("kinetic_energy.plane")->Apply(one_size);

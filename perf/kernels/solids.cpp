@@ -33,16 +33,19 @@ std::string elastic_of(int material) {
 
 /// Bytes that one simplex moves per step when the nodes of neighbours stay in cache: element loop
 /// (connectivity of the group, reference matrices, corner forces written and fetched before,
-/// state read, stress written and fetched before) and node loop.
+/// state read, stress written and fetched before) and node loop. In mixed precision matrices and
+/// forces are floats where the law allows it, and the node loop reads the reference and writes the
+/// way moved.
 template <int D>
-double bytes_per_element(int group, int material, double nodes_per_element) {
+double bytes_per_element(int group, int material, bool mixed, double nodes_per_element) {
   constexpr double kTensor = 8.0 * (D == 2 ? 4 : 6);
   const bool state = material >= quiet, stress = state || material == layered || group > 1;
+  const double force = mixed ? 4 : 8, shape = mixed && !state ? 4 : 8;
   const double indices = group == 1 ? D + 1 : (D == 2 ? 6.0 : 10.0) / group;
-  const double element = 4.0 * indices + 8.0 * D * D + 2 * 8.0 * (D + 1) * D +
+  const double element = 4.0 * indices + shape * D * D + 2 * force * (D + 1) * D +
                          (state ? kTensor + 8.0 : 0.0) + (stress ? 2 * kTensor : 0.0);
-  const double corners = (4.0 + 8.0 * D) * (D + 1);
-  const double node = 8.0 + 4.0 + 8.0 + 4 * 8.0 * D + 8.0 * D;
+  const double corners = (4.0 + force * D) * (D + 1);
+  const double node = 8.0 + 4.0 + 8.0 + 4 * 8.0 * D + 8.0 * D + (mixed ? 24.0 * D : 0.0);
   return element + corners + nodes_per_element * node;
 }
 
@@ -65,6 +68,7 @@ void solid_step(benchmark::State& state) {
   const auto elements = static_cast<double>(state.range(0));
   const auto group = static_cast<int>(state.range(1)), material = static_cast<int>(state.range(2));
   BlockKind kind;
+  kind.mixed = state.range(3) != 0;
   kind.group = group;
   if (group > 1) kind.element = D == 2 ? "tri6c" : (group == 8 ? "tet10c" : "tet10c12");
   kind.elastic = elastic_of(material);
@@ -74,7 +78,7 @@ void solid_step(benchmark::State& state) {
   Kokkos::fence("breccia::perf::solids");
   const Model<D>& model = scene.simulation->model();
   const double n = model.elements(),
-               bytes = bytes_per_element<D>(group, material, model.nodes() / n);
+               bytes = bytes_per_element<D>(group, material, kind.mixed, model.nodes() / n);
   const double rate = n * static_cast<double>(state.iterations());
   state.counters["elements/s"] = benchmark::Counter(rate, benchmark::Counter::kIsRate);
   state.counters["bytes/element"] = bytes;
@@ -85,11 +89,13 @@ void solid_step(benchmark::State& state) {
 
 template <int D>
 void kinds(benchmark::internal::Benchmark* b) {
-  b->ArgNames({"elements", "group", "material"})->Unit(benchmark::kMillisecond)->UseRealTime();
+  b->ArgNames({"elements", "group", "material", "mixed"})
+      ->Unit(benchmark::kMillisecond)
+      ->UseRealTime();
   const int n = smoke() ? 2000 : 100000;
   for (const int group : D == 2 ? std::vector<int>{1, 4} : std::vector<int>{1, 8, 12})
     for (const int material : {hyperelastic, layered, quiet, flowing, shocked})
-      b->Args({n, group, material});
+      for (const int mixed : {0, 1}) b->Args({n, group, material, mixed});
 }
 
 BENCHMARK(solid_step<2>)->Name("solid_step.plane")->Apply(kinds<2>);

@@ -28,6 +28,14 @@ struct NodeReference {
                                   "position in the reference configuration"};
 };
 
+/// Written with the position in runs of mixed precision, whose element loop gathers it instead.
+template <int D>
+struct NodeMoved {
+  using View = Vectors<D>;
+  static constexpr FieldInfo info{"node_moved", Entity::node, "m", Restart::yes,
+                                  "displacement x - X, in double"};
+};
+
 struct NodeMass {
   using View = Array<double>;
   static constexpr FieldInfo info{"node_mass", Entity::node, "kg", Restart::yes,
@@ -110,6 +118,15 @@ struct ElementReference {
                                   "inverse of the reference edge matrix"};
 };
 
+/// The same for the loops of a run in mixed precision, with all edges along the axes of the
+/// coordinates where elements are isotropic.
+template <int D>
+struct ElementReferenceSingle {
+  using View = MatricesSingle<D>;
+  static constexpr FieldInfo info{"element_reference_single", Entity::element, "1/m", Restart::no,
+                                  "inverse of the reference edge matrix in single precision"};
+};
+
 /// Share of its stress and mass that an element still has: 1, falling to 0 while it is excavated.
 struct ElementShare {
   using View = Array<double>;
@@ -152,6 +169,13 @@ struct ElementForce {
   using View = CornerForces<D>;
   static constexpr FieldInfo info{"element_force", Entity::element, "N", Restart::no,
                                   "internal forces of the element on its corners"};
+};
+
+/// The same field of a run in mixed precision, which has this one instead.
+template <int D>
+struct ElementForceSingle {
+  using View = CornerForcesSingle<D>;
+  static constexpr FieldInfo info = ElementForce<D>::info;
 };
 
 template <int D>

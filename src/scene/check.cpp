@@ -5,6 +5,7 @@
 #include "scene/catalog.hpp"
 #include "scene/commands.hpp"
 #include "scene/field_norms.hpp"
+#include "scene/precision.hpp"
 #include "scene/recorder.hpp"
 #include "scene/scene.hpp"
 #include "scene/simulation.hpp"
@@ -95,6 +96,8 @@ int check(const Scene& scene) {
   print_effects(simulation);
   std::cout << "\nplan of a step\n" << simulation.plan().print();
   print_partitions(model);
+  for (const std::string& line : left_in_double(model)) std::cout << '\n' << line << '\n';
+  for (const std::string& line : precision_doubts(model)) log::warning(line);
   const double duration = scene.settings.at("run").number("duration");
   const double dt = simulation.clock().dt;
   const double steps = duration / dt;

@@ -112,6 +112,7 @@ template <int D>
 void build_model(const Settings& scene, const std::filesystem::path& folder, Model<D>& model) {
   model.scene = &scene;
   model.materials = read_materials(scene);
+  model.mixed = scene.at("run").text("precision") == "mixed";
   if (D == 2) {
     model.thickness = scene.at("run").number("thickness");
     model.plane_stress = scene.at("run").text("plane") == "stress";

@@ -7,6 +7,7 @@
 #include "scene/field_norms.hpp"
 #include "scene/guard.hpp"
 #include "scene/interrupt.hpp"
+#include "scene/precision.hpp"
 #include "scene/recorder.hpp"
 #include "scene/scene.hpp"
 #include "scene/verdict.hpp"
@@ -89,6 +90,8 @@ class Run {
                           scene_.text_or("title", "scene"), model.elements(), model.nodes(),
                           simulation_.clock().dt,
                           scene_.at("run").number("duration") / simulation_.clock().dt));
+    for (const std::string& line : left_in_double(model)) log::info(line);
+    for (const std::string& line : precision_doubts(model)) log::warning(line);
   }
 
   void loop(Watch::time_point start) {

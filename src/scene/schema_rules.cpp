@@ -132,10 +132,6 @@ void check_direction(const Settings& section, const char* key, Problems& problem
 
 void check_run_rules(const Settings& scene, Problems& problems) {
   const Settings& run = scene.at("run");
-  if (run.text("precision") == "mixed") {
-    problems.add(run.error("precision", "\"mixed\" is not available in this release",
-                           "leave it out: everything is computed in double"));
-  }
   if (run.has("mass_scaling") && (scene.has("fracture") || !scene.list("interface").empty()))
     problems.add(run.at("mass_scaling")
                      .error("",

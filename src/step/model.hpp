@@ -73,6 +73,7 @@ struct Model {
   std::vector<Block> blocks;
   double thickness = 1;  ///< m, 2D; 1 in 3D
   bool plane_stress = false;
+  bool mixed = false;  ///< elements are computed in single precision where their law allows it
   Vec<D> gravity = Vec<D>::zero();  ///< m/s2
   /// Cauchy stress of each element before anything moves, Pa; empty: none anywhere.
   std::vector<Sym<3>> initial_stress;

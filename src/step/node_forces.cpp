@@ -5,12 +5,17 @@
 namespace breccia {
 
 template <int D>
+AnyCornerForces<D> element_forces(const Store& store) {
+  return {store.get_or_empty<ElementForce<D>>(), store.get_or_empty<ElementForceSingle<D>>()};
+}
+
+template <int D>
 NodeMotionIn<D> forces_on_nodes(const Model<D>& model) {
   const Store& s = model.store;
   NodeMotionIn<D> in;
   in.corners = s.get<NodeCorners>();
   in.corner_list = s.get<CornerList>();
-  in.element_force = s.get<ElementForce<D>>();
+  in.element_force = element_forces<D>(s);
   in.extra[0] = s.get_or_empty<InterfaceForce<D>>();
   in.extra[1] = s.get_or_empty<ContactForce<D>>();
   in.extra[2] = s.get_or_empty<LoadForce<D>>();
@@ -34,6 +39,8 @@ NodeMotionIn<D> forces_on_nodes(const Model<D>& model) {
   return in;
 }
 
+template AnyCornerForces<2> element_forces(const Store&);
+template AnyCornerForces<3> element_forces(const Store&);
 template NodeMotionIn<2> forces_on_nodes(const Model<2>&);
 template NodeMotionIn<3> forces_on_nodes(const Model<3>&);
 

@@ -99,6 +99,8 @@ TEST(Restart, TrianglesGoOnBitForBit) {
   for (const int before : {0, 1, 37, 50, 51}) check_restart<2>(scene, before, 80);
   scene.plane = "stress";
   check_restart<2>(scene, 20, 80);
+  scene.run += "\nprecision = \"mixed\"";
+  check_restart<2>(scene, 37, 80);
 }
 
 TEST(Restart, TetrahedraGoOnBitForBit) {
@@ -107,6 +109,8 @@ TEST(Restart, TetrahedraGoOnBitForBit) {
   scene.damping = 0.1;
   scene.more = in_space(kEverything);
   for (const int before : {0, 37}) check_restart<3>(scene, before, 80);
+  scene.run += "\nprecision = \"mixed\"";
+  check_restart<3>(scene, 37, 80);
 }
 
 // In the middle of the release, and in its last steps; with faces that break at the rim.
@@ -145,8 +149,9 @@ BlockScene bursting(int dimension) {
 }
 
 template <int D>
-void check_bursting(int before, int after) {
-  const BlockScene scene = bursting(D);
+void check_bursting(int before, int after, const std::string& run = {}) {
+  BlockScene scene = bursting(D);
+  scene.run += run;
   SceneWorld<D> world(scene.text());
   world.simulation.start();
   world.steps(before);
@@ -162,6 +167,20 @@ void check_bursting(int before, int after) {
 TEST(Restart, BurstingBlockGoesOnBitForBit) {
   check_bursting<2>(400, 100);
   check_bursting<3>(400, 100);
+  check_bursting<2>(400, 100, "\nprecision = \"mixed\"");
+}
+
+// Fields and rounding are of another kind: refused, not converted.
+TEST(Restart, OfTheOtherPrecisionIsRefused) {
+  const TempFolder folder;
+  const std::string file = folder / "state.h5";
+  BlockScene scene;
+  SceneWorld<2> world(scene.text());
+  world.simulation.start();
+  save_state(file, identity_of(scene.text()), world.simulation, {});
+  scene.run += "\nprecision = \"mixed\"";
+  SceneWorld<2> mixed(scene.text());
+  EXPECT_THROW(load_state(file, identity_of(scene.text()), mixed.simulation), Error);
 }
 
 // A fragment that flies off, and one that flies on to a wall: before, on the way and there.

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Hard cases: runs scenes and holds each against the common rule and its own checks.
 
-run_cases.py EXECUTABLE CASE.toml ... [--long] [--table PAGE] [--keep FOLDER]
+run_cases.py EXECUTABLE CASE.toml ... [--long] [--mixed] [--table PAGE] [--keep FOLDER]
 
 A case is a scene whose first lines say what it is:
 
@@ -18,7 +18,8 @@ A case is a scene whose first lines say what it is:
 
 The common rule: the run completes, all numbers of history.csv are finite, mass is kept to 1e-12, momenta to 1e-10 where
 nothing acts from outside (angular momentum to 1e-4 where faces break: an open face that still holds has a lever), res_1 is below 1e-10, and the balance of energy stays within 1 % of the largest energy, also
-where CT_numeric, what contact gives unasked, counts as a gain. --table writes the rows of the page.
+where CT_numeric, what contact gives unasked, counts as a gain. --table writes the rows of the page. --mixed: in mixed
+precision, where torques are rounded to single and angular momentum is kept to 1e-6.
 """
 
 import argparse
@@ -153,7 +154,7 @@ def apart(run, other):
     return worst if len(run.rows) == len(other.rows) else math.inf
 
 
-def faults(case, run):
+def faults(case, run, mixed):
     """What is wrong with a run, as sentences."""
     if case.refused:
         if run.status != 2 or case.refused not in run.text:
@@ -178,7 +179,8 @@ def faults(case, run):
     masses = [r["mass"] for r in run.rows]
     if max(abs(m - masses[0]) for m in masses) > 1e-12 * masses[0]:
         yield f"mass from {min(masses):.17g} to {max(masses):.17g} kg"
-    for kind, most in (("momentum", 1e-10), ("angular_momentum", 1e-4 if "IF_stored" in run.rows[0] else 1e-10)):
+    turning = 1e-4 if "IF_stored" in run.rows[0] else 1e-6 if mixed else 1e-10
+    for kind, most in (("momentum", 1e-10), ("angular_momentum", turning)):
         if case.alone() and not run.drift(kind) <= most:
             yield f"{kind} drifts by {run.drift(kind):.2g} of its sum"
     if not max(r["RES_1"] for r in run.rows) < 1e-10:
@@ -202,14 +204,14 @@ def runs_of(case, long, folder):
         yield "swapped", other, case.long if long else [], case.swapped
 
 
-def try_case(executable, case, long, keep):
+def try_case(executable, case, long, mixed, keep):
     """Runs a case; rows for the table, and what is wrong."""
     rows, wrong, first = [], [], None
     with tempfile.TemporaryDirectory(prefix="breccia-case-") as scratch:
         for name, scene, settings, like in runs_of(case, long, pathlib.Path(scratch)):
             folder = pathlib.Path(keep or scratch) / (case.name + "." + name)
-            run = Run(executable, scene, settings, folder)
-            bad = list(faults(case, run))
+            run = Run(executable, scene, settings + ['run.precision="mixed"'] * mixed, folder)
+            bad = list(faults(case, run, mixed))
             first = first or run
             if like and run.rows and not (gap := apart(first, run)) <= like:
                 bad.append(f"differs by {gap:.2g} from the first run")
@@ -262,12 +264,13 @@ def main():
     parser.add_argument("executable")
     parser.add_argument("cases", type=pathlib.Path, nargs="+")
     parser.add_argument("--long", action="store_true")
+    parser.add_argument("--mixed", action="store_true")
     parser.add_argument("--table", type=pathlib.Path)
     parser.add_argument("--keep", type=pathlib.Path)
     a = parser.parse_args()
     rows, wrong = [], []
     for path in a.cases:
-        found, bad = try_case(str(pathlib.Path(a.executable).resolve()), Case(path.resolve()), a.long, a.keep)
+        found, bad = try_case(str(pathlib.Path(a.executable).resolve()), Case(path.resolve()), a.long, a.mixed, a.keep)
         rows, wrong = rows + found, wrong + bad
     if a.table:
         write_table(a.table, rows)

@@ -9,6 +9,7 @@
 #include "loops/star_balance.hpp"
 #include "modules/fracture/fracture_fields.hpp"
 #include "modules/fracture/interface_lists.hpp"
+#include "step/node_forces.hpp"
 #include "step/stress_view.hpp"
 
 #include <fmt/format.h>
@@ -24,12 +25,12 @@ constexpr Index kBatch = 1 << 15;
 
 /// Forces on the corners of elements, class by class.
 template <int D>
-Kokkos::Array<ConstCornerForces<D>, kCornerForceClasses> corner_forces(const Store& s) {
-  Kokkos::Array<ConstCornerForces<D>, kCornerForceClasses> force;
-  force[0] = s.get<ElementForce<D>>();
-  force[1] = s.get<InterfaceForce<D>>();
-  force[2] = s.get_or_empty<ContactForce<D>>();
-  force[3] = s.get_or_empty<LoadForce<D>>();
+Kokkos::Array<AnyCornerForces<D>, kCornerForceClasses> corner_forces(const Store& s) {
+  Kokkos::Array<AnyCornerForces<D>, kCornerForceClasses> force;
+  force[0] = element_forces<D>(s);
+  force[1].wide = s.get<InterfaceForce<D>>();
+  force[2].wide = s.get_or_empty<ContactForce<D>>();
+  force[3].wide = s.get_or_empty<LoadForce<D>>();
   return force;
 }
 

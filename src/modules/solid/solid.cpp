@@ -180,6 +180,8 @@ ElementForceIn<D> Solid<D>::input(const Model<D>& model, const Block& block,
   in.x = s.get<NodePosition<D>>();
   in.v = s.get<NodeVelocity<D>>();
   in.reference = s.get<ElementReference<D>>();
+  in.reference_single = s.get_or_empty<ElementReferenceSingle<D>>();
+  in.moved = s.get_or_empty<NodeMoved<D>>();
   in.begin = block.begin;
   in.end = block.end;
   in.group = block.group;
@@ -196,8 +198,10 @@ ElementForceIn<D> Solid<D>::input(const Model<D>& model, const Block& block,
   in.dt = clock.dt_before;
   in.thickness = model.thickness;
   in.smallest_jacobian = kSmallestJacobian;
-  in.watch =
-      StressWatch<D>(block.watch.per_tension, block.watch.per_cohesion, block.watch.friction);
+  // An upper bound stays one if strengths are lower by more than single precision rounds.
+  const double cautious = model.mixed ? 1 + 1e-5 : 1;
+  in.watch = StressWatch<D>(block.watch.per_tension * cautious, block.watch.per_cohesion * cautious,
+                            block.watch.friction);
   return in;
 }
 
@@ -220,15 +224,23 @@ void Solid<D>::forces(Model<D>& model, const Clock& clock) {
     const Material& material = model.materials[block.material];
     if (material.rigid) continue;
     const ElementForceIn<D> in = input(model, block, clock);
-    const ElementForceOut<D> out{
-        s.get<ElementForce<D>>(),           s.get_or_empty<ElementHot>(),    bad_, sums_[b],
-        s.get_or_empty<ElementCauchy<D>>(), s.get_or_empty<ElementModulus>()};
-    if (material.stiffness)
+    const ElementForceOut<D> out{s.get_or_empty<ElementForce<D>>(),
+                                 s.get_or_empty<ElementForceSingle<D>>(),
+                                 s.get_or_empty<ElementHot>(),
+                                 bad_,
+                                 sums_[b],
+                                 s.get_or_empty<ElementCauchy<D>>(),
+                                 s.get_or_empty<ElementModulus>()};
+    if (material.stiffness && model.mixed)
+      anisotropic_force_single(in, out, anisotropic_[block.material]);
+    else if (material.stiffness)
       anisotropic_force(in, out, anisotropic_[block.material]);
     else if (remembers(model, block))
       inelastic_force(in, out, law_of(material),
                       {s.get<ElementElastic<D>>(), s.get<ElementHistory>(),
                        material.eos.has_value(), material.eos.value_or(Eos{})});
+    else if (model.mixed)
+      element_force_single(in, out);
     else
       element_force(in, out);
   }
