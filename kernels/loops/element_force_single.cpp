@@ -17,8 +17,12 @@ template <int D>
 void element_force_single(const ElementForceIn<D>& in, const ElementForceOut<D>& out) {
   if (in.end <= in.begin) return;
   const Wishes wish = wishes_of(in, out);
-  if (in.group > 1 || wish.shocked || wish.shared || wish.stored || wish.damped)
+  if (in.group > 1 || wish.shocked || wish.shared || wish.stored)
     launch_groups<D, PackSingle>(in, out, HenckyResponse<D>{in.law, in.flat});
+  else if (wish.damped && wish.watched)
+    run_single<true, true>(in, out);
+  else if (wish.damped)
+    run_single<true, false>(in, out);
   else if (wish.watched)
     run_single<false, true>(in, out);
   else

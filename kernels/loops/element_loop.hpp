@@ -65,15 +65,14 @@ struct ElementLoop {
     return s;
   }
 
-  /// Shapes of all sub-elements and positions of the nodes; in single precision these are relative
-  /// to the first node and known only where something is viscous.
+  /// Shapes of all sub-elements and positions of the nodes; of these single precision knows nothing
+  /// but, where the law wants axes, the reference relative to the first node.
   KOKKOS_FORCEINLINE_FUNCTION
   void form_all(const Lanes& lanes, Vec<D, R> (&x)[kNodes], Shapes& shape) const {
     if constexpr (kSingle<R>) {
       Vec<D, R> u[kNodes];
       lanes.template gather<D>(in.nodes, in.moved, u);
-      const bool viscous = wish.damped || wish.shocked;
-      if (Response::kAxes || viscous) {
+      if constexpr (Response::kAxes) {
         lanes.template gather<D>(in.nodes, in.x, x);
         for (int a = 0; a < kNodes; ++a) x[a] -= u[a];  // where they began
       }
@@ -81,8 +80,6 @@ struct ElementLoop {
         form_moved(lanes, u, x, s, shape[s]);
         complete(lanes, s, shape[s]);
       }
-      if (viscous)
-        for (int a = 0; a < kNodes; ++a) x[a] += u[a];
     } else {
       lanes.template gather<D>(in.nodes, in.x, x);
       for (int s = 0; s < Group; ++s) {
@@ -90,6 +87,18 @@ struct ElementLoop {
         complete(lanes, s, shape[s]);
       }
     }
+  }
+
+  /// The edge matrix now: from positions, or the cofactors of its cofactors.
+  KOKKOS_FORCEINLINE_FUNCTION
+  static Mat<D, R> edges_now(const Vec<D, R> (&x)[kNodes], int s, const SubShape<D, R>& shape) {
+    if constexpr (!kSingle<R>) return sub_edges<D, Group, R>(x, s);
+    Mat<D, R> g = cofactor(shape.cofactors);
+    if constexpr (D == 2) return g;
+    const R over = R(1) / shape.det;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) g(i, j) = g(i, j) * over;
+    return g;
   }
 
   template <class Field>
@@ -184,7 +193,7 @@ struct ElementLoop {
     R heat = R(0), excess = R(0);
     for (int s = 0; s < Group; ++s) {
       R heights, det;
-      const Sym<D, R> d = rate_of_deformation(sub_edges<D, Group, R>(x, s),
+      const Sym<D, R> d = rate_of_deformation(edges_now(x, s, shape[s]),
                                               sub_edges<D, Group, R>(v, s), heights, det);
       const R closing = maximum(R(0), -trace(d));
       const R size = map_lanes(shape[s].det * R(1 / kFactorial<D>), [](double part) {
@@ -253,7 +262,7 @@ struct ElementLoop {
     R beta[Group], whole = R(0), growth = R(0);
     for (int s = 0; s < Group; ++s) {
       R heights, det;
-      d[s].in = rate_of_deformation(sub_edges<D, Group, R>(x, s), sub_edges<D, Group, R>(v, s),
+      d[s].in = rate_of_deformation(edges_now(x, s, shape[s]), sub_edges<D, Group, R>(v, s),
                                     heights, det);
       d[s].zz = R(0);
       beta[s] = shape[s].share * R(2 * in.damping) /

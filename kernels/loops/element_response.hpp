@@ -1,6 +1,6 @@
 #pragma once
-#include "loops/element_laws.hpp"
 #include "loops/element_launch.hpp"
+#include "loops/element_laws.hpp"
 #include "point/hencky_stress.hpp"
 
 namespace breccia {

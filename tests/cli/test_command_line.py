@@ -70,6 +70,20 @@ class Check(CommandLine):
             self.assertIn(word, text)
         self.assertEqual(self.names(), {"block.toml"})
 
+    def test_check_and_run_tell_where_single_precision_is_felt(self):
+        mixed = ("block.toml", "--set", 'run.precision="mixed"')
+        soft = (*mixed, "--set", "material.steel.elastic.poisson=0.4999")
+        self.assertNotIn("precision", self.breccia("check", *mixed).stderr)
+        self.assertNotIn("precision", self.breccia("check", "block.toml", *soft[3:]).stderr)
+        for verb in ("check", "run"):
+            self.assertIn("resists dilation 5e+03 times as much as shear", self.breccia(verb, *soft).stderr)
+        self.assertEqual(self.report()["precision"], "mixed")
+
+    def test_check_names_what_stays_in_double(self):
+        text = self.breccia("check", "block.toml", "--set", 'run.precision="mixed"', "--set",
+                            "material.steel.j2.yield=1e9").stdout
+        self.assertIn("elements of 'steel' are computed in double: the material yields", text)
+
     def test_a_folder_stands_for_its_scene(self):
         (self.folder / "case").mkdir()
         (self.folder / "case" / "scene.toml").write_text(scenes.SPACE)
