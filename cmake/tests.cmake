@@ -1,9 +1,9 @@
-# breccia_test(<area> SOURCES ... LINKS ... [THREADS 1 2 4] [LABELS ...])
+# breccia_test(<area> SOURCES ... LINKS ... [THREADS 1 2 4] [LABELS ...] [ALONE])
 #
 # One GoogleTest executable test_<area> from several sources; each TEST becomes one ctest test named
 # <area>.<Suite>.<Name>, with the label <area> and the label quick, or slow when the suite or the test has "Slow" in
 # its name. THREADS runs the whole executable with so many threads; several numbers, once for each
-# (<area>.t2.<Suite>.<Name>). The default is 2; bodies of a few hundred elements are quicker with 1. A second executable in the same area is named <area>.<name>.
+# (<area>.t2.<Suite>.<Name>). ALONE: no other test runs beside it (those that measure time). The default is 2; bodies of a few hundred elements are quicker with 1. A second executable in the same area is named <area>.<name>.
 #
 # breccia_command_test(<area>.<name> COMMAND ... [LABELS quick|slow|long ...] [THREADS n] [TIMEOUT s] [NEEDS targets...])
 #
@@ -39,7 +39,7 @@ if(BRECCIA_ENABLE_TESTS)
   endif()
 endif()
 
-function(breccia_register_tests target prefix area threads labels)
+function(breccia_register_tests target prefix area threads alone labels)
   foreach(speed quick slow)
     if(speed STREQUAL "quick")
       set(filter "-*Slow*")
@@ -62,6 +62,7 @@ function(breccia_register_tests target prefix area threads labels)
       WRITE ${file}
       "if(${list})\n"
       "  set_tests_properties(\${${list}} PROPERTIES LABELS [[${area};${speed};${labels}]] PROCESSORS ${threads} "
+      "RUN_SERIAL ${alone} "
       "TIMEOUT 600 ENVIRONMENT [[${environment}]])\n"
       "endif()\n")
     set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${file})
@@ -69,7 +70,7 @@ function(breccia_register_tests target prefix area threads labels)
 endfunction()
 
 function(breccia_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINKS;THREADS;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "ALONE" "" "SOURCES;LINKS;THREADS;LABELS")
   if(NOT arg_SOURCES)
     return()
   endif()
@@ -97,7 +98,7 @@ function(breccia_test name)
     if(several GREATER 1)
       string(APPEND prefix .t${threads})
     endif()
-    breccia_register_tests(${target} ${prefix} ${area} ${threads} "${arg_LABELS}")
+    breccia_register_tests(${target} ${prefix} ${area} ${threads} ${arg_ALONE} "${arg_LABELS}")
   endforeach()
 endfunction()
 

@@ -52,10 +52,14 @@ void put_effects(JsonWriter& json, const Report& r) {
   json.key("effects").begin_object();
   for (const Report::Effect& effect : r.effects) {
     json.key(effect.name).begin_object();
-    json.member("seconds", effect.seconds).member("bytes", effect.bytes);
-    json.member("launches", effect.launches).end_object();
+    json.member("seconds", effect.seconds)
+        .member("share", r.wall_seconds > 0 ? effect.seconds / r.wall_seconds : Report::kNone);
+    json.member("bytes", effect.bytes).member("launches", effect.launches).end_object();
   }
   json.end_object();
+  json.key("effects_off").begin_array();
+  for (const std::string& name : r.effects_off) json.value(name);
+  json.end_array();
 }
 
 void put_numbers(JsonWriter& json, const Report& r) {

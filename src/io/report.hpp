@@ -71,6 +71,7 @@ struct Report {
       ledger;                           ///< [J] energies by their name in A-13.8, in order
   double res_1 = kNone, res_2 = kNone;  ///< relative residuals of the ledger (A-8.6)
   std::vector<Effect> effects;
+  std::vector<std::string> effects_off;                 ///< those that the scene does not call for
   std::vector<std::pair<std::string, double>> numbers;  ///< what [[check]] calls by name
   std::vector<Check> checks;
   std::int64_t peak_memory_bytes = 0;

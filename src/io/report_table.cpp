@@ -81,16 +81,23 @@ void print_run(const Report& r, std::ostream& out) {
 
 void print_costs(const Report& r, std::ostream& out) {
   if (r.effects.empty()) return;
-  double total = 0;
-  for (const Report::Effect& effect : r.effects) total += effect.seconds;
+  double rest = r.wall_seconds;
   heading(out, "Cost");
   out << form("  %-28s %10s %7s %12s %12s\n", "effect", "seconds", "share", "memory", "launches");
+  const auto share_of = [&r](double seconds) {
+    return r.wall_seconds > 0 ? 100 * seconds / r.wall_seconds : 0;
+  };
   for (const Report::Effect& effect : r.effects) {
-    const double share = total > 0 ? 100 * effect.seconds / total : 0;
-    out << form("  %-28s %10.3f %6.1f%% %12s %12s\n", effect.name.c_str(), effect.seconds, share,
-                bytes_text(effect.bytes).c_str(),
+    rest -= effect.seconds;
+    out << form("  %-28s %10.3f %6.1f%% %12s %12s\n", effect.name.c_str(), effect.seconds,
+                share_of(effect.seconds), bytes_text(effect.bytes).c_str(),
                 scaled(static_cast<double>(effect.launches), 1000).c_str());
   }
+  out << form("  %-28s %10.3f %6.1f%%\n", "everything else", rest, share_of(rest));
+  if (r.effects_off.empty()) return;
+  out << "  off:";
+  for (const std::string& name : r.effects_off) out << " " << name;
+  out << "\n";
 }
 
 void print_ledger(const Report& r, std::ostream& out) {

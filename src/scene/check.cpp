@@ -2,9 +2,9 @@
 #include "comm/partition.hpp"
 #include "core/log.hpp"
 #include "mesh/quality.hpp"
-#include "scene/catalog.hpp"
 #include "scene/commands.hpp"
 #include "scene/field_norms.hpp"
+#include "scene/forecast.hpp"
 #include "scene/precision.hpp"
 #include "scene/recorder.hpp"
 #include "scene/scene.hpp"
@@ -12,36 +12,45 @@
 #include "scene/verdict.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <chrono>
 #include <iostream>
 
 namespace breccia {
 
 namespace {
 
-/// Seconds of one step, from a few real ones on a running copy of the scene.
-template <int D>
-double seconds_per_step(Simulation<D>& simulation) {
-  using Watch = std::chrono::steady_clock;
-  const double end = simulation.scene().at("run").number("duration");
-  int steps = 0;
-  const Watch::time_point start = Watch::now();
-  double seconds = 0;
-  while (simulation.clock().time < end && seconds < 0.5 && !simulation.model().stop.raised) {
-    simulation.step(end, {});
-    ++steps;
-    seconds = std::chrono::duration<double>(Watch::now() - start).count();
-  }
-  return seconds / steps;
+/// Seconds of real steps that a forecast is made from.
+constexpr double kBudget = 0.5;
+
+std::string bytes_text(std::size_t bytes) {
+  return bytes < 100000 ? fmt::format("{} B", bytes)
+                        : fmt::format("{:.3g} MB", static_cast<double>(bytes) / 1e6);
 }
 
-template <int D>
-void print_effects(const Simulation<D>& simulation) {
-  std::cout << "\neffects\n";
-  for (const EffectState& effect : effects_of(simulation.scene()))
-    std::cout << fmt::format("  {:<10} {:<4} {:>12} bytes\n", effect.name, effect.on ? "on" : "off",
-                             simulation.model().store.bytes(effect.name));
+void print_forecast(const Forecast& sheet, const Settings& scene) {
+  std::cout << fmt::format("\n{:<24} {:<4} {:>10} {:>10}  {}\n", "effect", "", "memory", "seconds",
+                           "why");
+  std::vector<EffectPart> parts;
+  for (const Forecast::Effect& effect : sheet.effects) {
+    if (!effect.on) {
+      std::cout << fmt::format("{:<24} {:<4} {:>10} {:>10}  {}\n", effect.name, "off", "-", "-",
+                               effect.why);
+      continue;
+    }
+    std::cout << fmt::format("{:<24} {:<4} {:>10} {:>10.3g}  {}\n", effect.name, "on",
+                             bytes_text(effect.bytes), effect.seconds, effect.why);
+    for (const EffectPart& part : effect.parts)
+      std::cout << fmt::format("  {:<27} {:>10} {:>10}  {}\n", part.name,
+                               part.bytes > 0 ? bytes_text(part.bytes) : "", "", part.why);
+    parts.insert(parts.end(), effect.parts.begin(), effect.parts.end());
+  }
+  std::cout << fmt::format(
+      "\nabout {:.0f} steps; as in the first {}, with nothing broken, about {}\n", sheet.steps,
+      sheet.measured, duration_text(sheet.seconds()));
+  const std::vector<std::string> more = unforeseen(scene, parts);
+  if (!more.empty()) std::cout << fmt::format("not foreseen: {}\n", fmt::join(more, "; "));
+  std::cout << fmt::format("files of about {:.3g} MB before compression\n", sheet.disk / 1e6);
 }
 
 template <int D>
@@ -93,20 +102,16 @@ int check(const Scene& scene) {
   std::cout << scene.settings.text_or("title", scene.name) << "\n\n";
   print_bodies(model);
   std::cout << "\nmesh\n" << to_text(assess_quality(model.mesh, speed));
-  print_effects(simulation);
   std::cout << "\nplan of a step\n" << simulation.plan().print();
   print_partitions(model);
   for (const std::string& line : left_in_double(model)) std::cout << '\n' << line << '\n';
   for (const std::string& line : precision_doubts(model)) log::warning(line);
-  const double duration = scene.settings.at("run").number("duration");
-  const double dt = simulation.clock().dt;
-  const double steps = duration / dt;
-  std::cout << fmt::format("\nstep {:.4g} s, set by {}\n", dt, simulation.step_record().set_by)
+  std::cout << fmt::format("\nstep {:.4g} s, set by {}\n", simulation.clock().dt,
+                           simulation.step_record().set_by)
             << fmt::format("memory of the fields {:.1f} MB\n",
-                           static_cast<double>(model.store.bytes()) / 1e6)
-            << fmt::format(
-                   "about {:.0f} steps; at the present step and with nothing broken about {}\n",
-                   steps, duration_text(steps * seconds_per_step(simulation)));
+                           static_cast<double>(model.store.bytes()) / 1e6);
+  print_forecast(forecast(simulation, kBudget), scene.settings);
+  if (model.stop.raised) log::warning("these steps ended with: " + model.stop.cause);
   return 0;
 }
 

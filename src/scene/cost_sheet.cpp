@@ -1,6 +1,7 @@
 #include "scene/cost_sheet.hpp"
 
 #include "core/build_info.hpp"
+#include "scene/catalog.hpp"
 #include "scene/state_file.hpp"
 
 #include <sys/resource.h>
@@ -15,13 +16,20 @@ std::int64_t peak_memory_bytes() {
 
 namespace {
 
+/// In the order of `breccia check`.
 template <int D>
 void add_effects(const Simulation<D>& simulation, const std::vector<Cost>& costs, Report& report) {
-  for (const auto& module : simulation.modules()) {
+  std::vector<EffectState> states = effects_of(simulation.scene());
+  states.push_back({"guard", simulation.scene().at("run").integer("guard.every") > 0, ""});
+  states.push_back({"output", true, ""});
+  for (const EffectState& state : states) {
+    if (!state.on) {
+      report.effects_off.push_back(state.name);
+      continue;
+    }
     Report::Effect effect;
-    effect.name = module->key();
-    effect.bytes =
-        static_cast<std::int64_t>(simulation.model().store.bytes(effect.name) + module->bytes());
+    effect.name = state.name;
+    effect.bytes = static_cast<std::int64_t>(effect_bytes(simulation, effect.name));
     for (const Cost& cost : costs)
       if (cost.effect == effect.name) {
         effect.seconds = cost.seconds;
@@ -29,12 +37,17 @@ void add_effects(const Simulation<D>& simulation, const std::vector<Cost>& costs
       }
     report.effects.push_back(effect);
   }
-  for (const Cost& cost : costs)
-    if (cost.effect == "output" || cost.effect == "guard")
-      report.effects.push_back({cost.effect, cost.seconds, 0, cost.launches});
 }
 
 }  // namespace
+
+template <int D>
+std::size_t effect_bytes(const Simulation<D>& simulation, const std::string& effect) {
+  std::size_t bytes = simulation.model().store.bytes(effect);
+  for (const auto& module : simulation.modules())
+    if (module->key() == effect) bytes += module->bytes();
+  return bytes;
+}
 
 template <int D>
 Report make_report(Simulation<D>& simulation, const Recorder<D>& recorder, const Outcome& outcome) {
@@ -84,6 +97,8 @@ Report make_report(Simulation<D>& simulation, const Recorder<D>& recorder, const
   return report;
 }
 
+template std::size_t effect_bytes(const Simulation<2>&, const std::string&);
+template std::size_t effect_bytes(const Simulation<3>&, const std::string&);
 template Report make_report(Simulation<2>&, const Recorder<2>&, const Outcome&);
 template Report make_report(Simulation<3>&, const Recorder<3>&, const Outcome&);
 

@@ -73,6 +73,17 @@ void FrameBuilder<D>::write(FrameSeries& series) const {
 }
 
 template <int D>
+std::size_t FrameBuilder<D>::bytes() const {
+  std::size_t numbers = points_.size() + displacement_.size() + velocity_.size();
+  for (const auto* fields : {&picture_.node_fields, &picture_.element_fields})
+    for (const PictureField& field : *fields) numbers += field.values.size();
+  numbers += crack_points_.size() + damage_.size() * 6;
+  const std::size_t labels = connectivity_.size() + body_.size() + fragment_.size() +
+                             crack_connectivity_.size() + status_.size();
+  return numbers * sizeof(double) + labels * sizeof(std::int32_t);
+}
+
+template <int D>
 CrackFrame FrameBuilder<D>::cracks() const {
   CrackFrame cracks;
   cracks.dimension = D;

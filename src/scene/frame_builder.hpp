@@ -19,6 +19,8 @@ class FrameBuilder {
   FrameBuilder(const Model<D>& model, const Clock& clock, const Picture& picture,
                const Fragments& fragments);
   void write(FrameSeries& series) const;
+  /// Of all numbers of the frame, before compression.
+  std::size_t bytes() const;
 
  private:
   void add_cracks(const std::vector<CrackFace>& cracks);

@@ -55,11 +55,17 @@ std::vector<std::string> history_columns(Simulation<D>& simulation) {
   return row.columns();
 }
 
+double history_interval(const Settings& scene) {
+  const Settings& output = scene.at("output");
+  return output.has("history") ? output.number("history")
+                               : scene.at("run").number("duration") / kDefaultRows;
+}
+
 template <int D>
 Recorder<D>::Recorder(Simulation<D>& simulation, const RunFolder& folder, const Settings& scene)
     : simulation_(simulation), folder_(folder), duration_(scene.at("run").number("duration")) {
   const Settings& output = scene.at("output");
-  interval_ = output.has("history") ? output.number("history") : duration_ / kDefaultRows;
+  interval_ = history_interval(scene);
   frames_ = output.integer("frames");
   if (output.has("emission_reach")) emission_reach_ = output.number("emission_reach");
 }

@@ -16,6 +16,9 @@ namespace breccia {
 template <int D>
 std::vector<std::string> history_columns(Simulation<D>& simulation);
 
+/// Seconds between two rows of the history.
+double history_interval(const Settings& scene);
+
 /// Everything a run writes while it runs: history, events, fragments, frames, checkpoints, in
 /// simulated time. Keeps the history in memory for the checks.
 template <int D>

@@ -99,11 +99,6 @@ class Run {
     const double interval = scene_.at("output").number("checkpoint");
     double next_checkpoint = interval;
     Progress progress(end, "steps");
-    const auto timed = [this](const char* effect, const auto& what) {
-      const Watch::time_point begin = Watch::now();
-      what();
-      simulation_.plan().book(effect, seconds_since(begin), 0);
-    };
     const typename Simulation<D>::Watchers watchers{[&] {
                                                       if (guard_->due())
                                                         timed("guard", [&] { guard_->before(); });
@@ -126,17 +121,27 @@ class Run {
       }
       progress.update(simulation_.clock().time, static_cast<double>(simulation_.clock().step));
       if (seconds_since(start) < next_checkpoint) continue;
-      timed("output", [&] { checkpoint(wall_before_ + seconds_since(start)); });
+      checkpoint(wall_before_ + seconds_since(start));
       next_checkpoint = seconds_since(start) + interval;
     }
     progress.finish();
     wall_loop_ = wall_before_ + seconds_since(start);
   }
 
+  /// Does some work and books its time to an effect.
+  template <class Work>
+  void timed(const char* effect, const Work& work) {
+    const Watch::time_point begin = Watch::now();
+    work();
+    simulation_.plan().book(effect, seconds_since(begin), 0);
+  }
+
   void checkpoint(double wall) {
-    OutputState state = recorder_->sync();
-    state.wall_seconds = wall;
-    save_state(folder_->checkpoint(), identity_, simulation_, state);
+    timed("output", [&] {
+      OutputState state = recorder_->sync();
+      state.wall_seconds = wall;
+      save_state(folder_->checkpoint(), identity_, simulation_, state);
+    });
   }
 
   /// Ends the run: a checkpoint while the state is that of a step's start, then the last row and
@@ -165,8 +170,9 @@ class Run {
                         rest.unbalance));
     }
     recorder_->expect_last();
-    simulation_.close({[this] { recorder_->before(); }, [this] { recorder_->after(); }});
-    recorder_->finish();
+    simulation_.close({[this] { timed("output", [this] { recorder_->before(); }); },
+                       [this] { timed("output", [this] { recorder_->after(); }); }});
+    timed("output", [this] { recorder_->finish(); });
   }
 
   Results results(const Report& report) {

@@ -100,6 +100,11 @@ struct Model {
     return block.excavation != kNone &&
            excavations[static_cast<std::size_t>(block.excavation)].gone;
   }
+  /// True for a block whose elements carry all of their stress.
+  bool whole(const Block& block) const {
+    return block.excavation == kNone ||
+           excavations[static_cast<std::size_t>(block.excavation)].share == 1;
+  }
   Index nodes() const { return store.count(Entity::node); }
   Index elements() const { return mesh.elements(); }
   const Material& material_of_body(Index body) const { return materials[body_material[body]]; }

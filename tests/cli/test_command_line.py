@@ -66,8 +66,9 @@ class Words(CommandLine):
 class Check(CommandLine):
     def test_check_tells_what_would_run_and_writes_nothing(self):
         text = self.breccia("check", "block.toml").stdout
-        for word in ("elements", "step", "contact"):
+        for word in ("elements", "step", "contact", "no [[excavate]]", "not foreseen", "rows of history.csv"):
             self.assertIn(word, text)
+        self.assertRegex(text, r"solid +on +\S+ \S+ +[0-9.e-]+  every scene")
         self.assertEqual(self.names(), {"block.toml"})
 
     def test_check_and_run_tell_where_single_precision_is_felt(self):

@@ -1,59 +1,39 @@
 // V-149: a scene pays for the effects that it names and for no other, and a step allocates
 // nothing. Counted by the callbacks of Kokkos Tools.
+#include "cost/effect_scenes.hpp"
 #include "cost/kokkos_log.hpp"
-#include "harness/scenes.hpp"
 #include "io/digest.hpp"
 #include "scene/state_file.hpp"
 
 #include <gtest/gtest.h>
 
-#include <memory>
+#include <algorithm>
 #include <set>
 
 namespace breccia {
 namespace {
 
-struct Effect {
-  std::string name, section;
-  bool launches;   ///< whether it launches kernels of its own in a step
-  bool allocates;  ///< whether it has memory of its own
-};
-
-const std::vector<Effect> kEffects = {
-    {"gravity", "[gravity]\nacceleration = [0, -9.81]\n", false, false},
-    {"boundary",
-     "[[boundary]]\nwhere = \"b.left\"\nfixed = [0, 0]\n"
-     "[[boundary]]\nwhere = \"b.right\"\npressure = \"1 kPa\"\n",
-     true, true},
-    {"fracture",
-     "[fracture.m]\ntensile_strength = \"10 MPa\"\ncohesion = \"20 MPa\"\nfriction_angle = \"40 "
-     "deg\"\n"
-     "energy_tension = \"10 kJ/m2\"\nenergy_shear = \"30 kJ/m2\"\nalpha = 1\n",
-     true, true},
-    {"contact", "[contact]\nfriction = 0.3\n", true, true},
-    {"sensor", "[[sensor]]\nname = \"s\"\npoint = [0.4, 0.4]\n", false, true},
-    // Complete before a step is looked at: while it lasts, each step asks for an energy.
-    {"excavation", "[[excavate]]\nbox = { lower = [0, 0], upper = [0.3, 0.3] }\nrelease = 1e-3\n",
-     true, true},
-    {"rigid",
-     "[[body]]\nname = \"r\"\nmaterial = \"m\"\nrigid = true\n"
-     "shape = { rectangle = { corner = [0, 2], size = [1, 1] } }\n"
-     "mesh = { generator = \"structured\", cells = [2, 2] }\n",
-     true, true}};
-
-BlockScene with(const std::vector<std::string>& sections) {
-  BlockScene scene;
-  for (const std::string& s : sections) scene.more += s;
-  return scene;
+/// The block in the plane with one effect, or with several.
+BlockScene with(const std::vector<std::string>& effects) {
+  std::string sections;
+  for (const EffectCase& effect : effect_cases(2))
+    if (std::find(effects.begin(), effects.end(), effect.name) != effects.end())
+      sections += effect.section;
+  return cost_block(2, sections);
 }
 
 /// Everything that a run of some steps with history rows does, from reading the scene on.
-template <class Look>
+template <int D, class Look>
 void run_logged(const BlockScene& scene, const Look& look) {
   const KokkosLog log;
-  SceneWorld<2> world(scene.text());
+  SceneWorld<D> world(scene.text());
   world.simulation.start();
-  put_field<NodeVelocity<2>, 2>(world, [](const Vec<2>& x) { return Vec<2>{{x[1], 0.3 * x[0]}}; });
+  put_field<NodeVelocity<D>, D>(world, [](const Vec<D>& x) {
+    Vec<D> v = Vec<D>::zero();
+    v[0] = x[1];
+    v[1] = 0.3 * x[0];
+    return v;
+  });
   world.steps(60);
   Row row;
   for (const auto& m : world.simulation.modules())
@@ -62,29 +42,83 @@ void run_logged(const BlockScene& scene, const Look& look) {
   look(world, log);
 }
 
-bool has_tasks(SceneWorld<2>& world, const std::string& effect) {
+template <int D>
+bool has_tasks(SceneWorld<D>& world, const std::string& effect) {
   for (const Task& task : world.simulation.plan().tasks())
     if (task.effect == effect) return true;
   return false;
 }
 
-TEST(Cost, AnAbsentEffectCostsNothing) {
-  run_logged(BlockScene{}, [](SceneWorld<2>& world, const KokkosLog& log) {
+template <int D>
+void expect_nothing_of(const EffectCase& effect, SceneWorld<D>& world, const KokkosLog& log) {
+  EXPECT_EQ(log.launches_of(effect.name), 0) << effect.name;
+  EXPECT_EQ(log.allocations_of(effect.name), 0) << effect.name;
+  EXPECT_EQ(world.store().bytes(effect.name), 0u) << effect.name;
+  EXPECT_FALSE(has_tasks(world, effect.name)) << effect.name;
+}
+
+template <int D>
+void expect_work_of(const EffectCase& effect, SceneWorld<D>& world, const KokkosLog& log) {
+  EXPECT_EQ(log.launches_of(effect.name) > 0, effect.launches) << effect.name;
+  EXPECT_EQ(has_tasks(world, effect.name), effect.tasks) << effect.name;
+  const bool memory = log.allocations_of(effect.name) > 0 || world.store().bytes(effect.name) > 0;
+  EXPECT_EQ(memory, effect.memory) << effect.name;
+}
+
+/// With none, with each, and with each pair of effects: what the scene names is there, and of
+/// everything else neither a byte, a task, an allocation nor a launch.
+template <int D>
+void check_all_pairs() {
+  const std::vector<EffectCase> all = effect_cases(D);
+  run_logged<D>(cost_block(D, ""), [&all](SceneWorld<D>& world, const KokkosLog& log) {
     EXPECT_GT(log.launches_of("motion"), 0);
     EXPECT_GT(log.launches_of("solid"), 0);
-    for (const Effect& effect : kEffects) {
-      EXPECT_EQ(log.launches_of(effect.name), 0) << effect.name;
-      EXPECT_EQ(log.allocations_of(effect.name), 0) << effect.name;
-      EXPECT_EQ(world.store().bytes(effect.name), 0u) << effect.name;
-      EXPECT_FALSE(has_tasks(world, effect.name)) << effect.name;
-    }
+    for (const EffectCase& effect : all) expect_nothing_of(effect, world, log);
   });
+  for (std::size_t a = 0; a < all.size(); ++a)
+    for (std::size_t b = a; b < all.size(); ++b) {
+      SCOPED_TRACE(all[a].name + " and " + all[b].name);
+      const std::string sections = all[a].section + (a == b ? "" : all[b].section);
+      run_logged<D>(cost_block(D, sections), [&](SceneWorld<D>& world, const KokkosLog& log) {
+        for (std::size_t e = 0; e < all.size(); ++e)
+          if (e == a || e == b)
+            expect_work_of(all[e], world, log);
+          else
+            expect_nothing_of(all[e], world, log);
+      });
+    }
+}
+
+TEST(Cost, OneByOneAndInPairsAScenePaysForWhatItNames) {
+  check_all_pairs<2>();
+}
+
+TEST(Cost, TheSameInSpace) {
+  check_all_pairs<3>();
+}
+
+// What a material does not do has no field, in scenes of other materials' laws too.
+TEST(Cost, AnAbsentPartOfTheSolidHasNoField) {
+  for (std::size_t with = 0; with <= kPartCases.size(); ++with) {
+    BlockScene scene;
+    if (with < kPartCases.size()) scene.material = kPartCases[with].material;
+    if (with == 0) scene.material.clear(), scene.damping = 0.02;
+    run_logged<2>(scene, [with](SceneWorld<2>& world, const KokkosLog&) {
+      std::set<std::string> fields;
+      for (const Store::Block& block : world.store().blocks()) fields.emplace(block.info.name);
+      for (std::size_t part = 0; part < kPartCases.size(); ++part) {
+        if (kPartCases[part].field.empty()) continue;
+        EXPECT_EQ(fields.count(kPartCases[part].field), part == with ? 1u : 0u)
+            << kPartCases[part].name;
+      }
+    });
+  }
 }
 
 // Nothing is hidden under other names: each allocation is a field of motion or solid, or bears
 // their name.
 TEST(Cost, AnElasticSceneAllocatesForMotionAndSolidOnly) {
-  run_logged(BlockScene{}, [](SceneWorld<2>& world, const KokkosLog& log) {
+  run_logged<2>(BlockScene{}, [](SceneWorld<2>& world, const KokkosLog& log) {
     std::set<std::string> fields;
     for (const Store::Block& block : world.store().blocks()) {
       EXPECT_TRUE(block.owner == "motion" || block.owner == "solid") << block.info.name;
@@ -101,24 +135,6 @@ TEST(Cost, AnElasticSceneAllocatesForMotionAndSolidOnly) {
   });
 }
 
-// The same counters must see an effect that is there.
-TEST(Cost, APresentEffectIsCounted) {
-  for (const Effect& effect : kEffects)
-    run_logged(with({effect.section}), [&effect](SceneWorld<2>& world, const KokkosLog& log) {
-      EXPECT_EQ(log.launches_of(effect.name) > 0, effect.launches || effect.name == "sensor")
-          << effect.name;
-      EXPECT_EQ(has_tasks(world, effect.name), effect.launches) << effect.name;
-      const bool memory =
-          log.allocations_of(effect.name) > 0 || world.store().bytes(effect.name) > 0;
-      EXPECT_EQ(memory, effect.allocates) << effect.name;
-      for (const Effect& other : kEffects) {
-        if (other.name == effect.name) continue;
-        EXPECT_EQ(log.launches_of(other.name), 0) << other.name << " beside " << effect.name;
-        EXPECT_EQ(world.store().bytes(other.name), 0u) << other.name << " beside " << effect.name;
-      }
-    });
-}
-
 /// Launches, allocations, copies and fences of one ordinary step.
 KokkosLog::Record step_record(const BlockScene& scene) {
   SceneWorld<2> world(scene.text());
@@ -131,7 +147,8 @@ KokkosLog::Record step_record(const BlockScene& scene) {
 
 TEST(Cost, AStepAllocatesCopiesAndWaitsForNothing) {
   std::vector<std::string> all;
-  for (const Effect& effect : kEffects) all.push_back(effect.section);
+  for (const EffectCase& effect : effect_cases(2))
+    if (effect.name != "rest") all.push_back(effect.name);  // it sums up an energy
   for (const BlockScene& scene : {BlockScene{}, with(all)}) {
     const KokkosLog::Record record = step_record(scene);
     for (const auto& [label, count] : record.allocations)
@@ -150,7 +167,7 @@ TEST(Cost, AnElasticStepIsTwoLaunches) {
 
 TEST(Cost, LaunchesOfTheCostSheetAreThoseOfKokkos) {
   const KokkosLog log;
-  SceneWorld<2> world(with({kEffects[1].section}).text());
+  SceneWorld<2> world(with({"boundary"}).text());
   world.simulation.start();
   const std::int64_t before = log.launches();
   world.steps(120);
@@ -162,7 +179,7 @@ TEST(Cost, LaunchesOfTheCostSheetAreThoseOfKokkos) {
 // A body that moves as a whole and touches nothing: no point has anybody near it, so that contact
 // is one look at the surface's nodes in eight steps, and a search now and then.
 TEST(Cost, ContactOfAWholeBodyIsALookNowAndThen) {
-  SceneWorld<2> world(with({kEffects[3].section}).text());
+  SceneWorld<2> world(with({"contact"}).text());
   world.simulation.start();
   put_field<NodeVelocity<2>, 2>(world, [](const Vec<2>& x) {
     return Vec<2>{{0.1 - 0.1 * x[1], 0.1 * x[0]}};
@@ -180,7 +197,7 @@ TEST(Cost, ContactOfAWholeBodyIsALookNowAndThen) {
 
 // A fragment that flies off does not make all others search.
 TEST(Cost, FragmentsThatFlyClearNeedNoSearch) {
-  BlockScene scene = with({kEffects[3].section});
+  BlockScene scene = with({"contact"});
   scene.more +=
       "[[body]]\nname = \"fragment\"\nmaterial = \"m\"\nvelocity = [0, 500]\n"
       "shape = { rectangle = { corner = [0.4, 1.05], size = [0.1, 0.1] } }\n"
@@ -212,17 +229,15 @@ std::string hash_after(const BlockScene& scene, int steps) {
 // strength far above the stress, contact with nobody near.
 TEST(Cost, NeutralEffectsDoNotChangeTheBits) {
   // A fixed step, for springs that may come lower the factor of the automatic one.
-  const auto fixed = [](std::vector<std::string> sections) {
-    BlockScene scene = with(sections);
+  const auto fixed = [](BlockScene scene) {
     scene.run = "duration = 1\nstep = 5e-5";
     return scene;
   };
-  const std::string plain = hash_after(fixed({}), 200);
-  EXPECT_EQ(hash_after(fixed({"[gravity]\nacceleration = [0, 0]\n"}), 200), plain);
-  EXPECT_EQ(hash_after(fixed({kEffects[4].section}), 200), plain);
-  EXPECT_EQ(hash_after(fixed({kEffects[2].section}), 200), plain);
-  EXPECT_EQ(hash_after(fixed({kEffects[3].section}), 200), plain);
-  EXPECT_NE(hash_after(fixed({kEffects[0].section}), 200), plain);
+  const std::string plain = hash_after(fixed(with({})), 200);
+  EXPECT_EQ(hash_after(fixed(cost_block(2, "[gravity]\nacceleration = [0, 0]\n")), 200), plain);
+  for (const char* effect : {"sensor", "fracture", "contact"})
+    EXPECT_EQ(hash_after(fixed(with({effect})), 200), plain) << effect;
+  EXPECT_NE(hash_after(fixed(with({"gravity"})), 200), plain);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 namespace breccia {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 Report sample() {
@@ -21,6 +22,7 @@ Report sample() {
   report.reason = "element 7 inverted";
   report.steps = 1200;
   report.time = 1.2e-3;
+  report.wall_seconds = 5;
   report.backend = "OpenMP";
   report.precision = "double";
   report.elements = 20000;
@@ -32,6 +34,7 @@ Report sample() {
   report.res_1 = 1e-14;
   report.guard = {12, 0.031, 0.25};
   report.effects = {{"solid", 3, 5000000, 1200}, {"contact", 1, 1024, 2400}};
+  report.effects_off = {"gravity", "rest"};
   report.checks = {{"strength", 8.1e6, 8e6, 0.1, true, true, "Pa", ""},
                    {"angle", Report::kNone, 0, 10, false, false, "deg", "no crack"}};
   report.peak_memory_bytes = 200 << 20;
@@ -42,52 +45,27 @@ Report sample() {
 
 TEST(IoReport, JsonHasEveryKeyOfTheSpecification) {
   const std::string json = report_json(sample());
-  for (const char* key : {"status",
-                          "reason",
-                          "steps",
-                          "time",
-                          "wall_seconds",
-                          "threads",
-                          "ranks",
-                          "backend",
-                          "precision",
-                          "elements",
-                          "nodes",
-                          "element_steps_per_second",
-                          "time_step",
-                          "min",
-                          "mean",
-                          "set_by",
-                          "interfaces",
-                          "bonded",
-                          "inserted",
-                          "released",
-                          "fragments",
-                          "guard",
-                          "ledger",
-                          "KE",
-                          "res_1",
-                          "res_2",
-                          "effects",
-                          "seconds",
-                          "bytes",
-                          "launches",
-                          "checks",
-                          "name",
-                          "value",
-                          "reference",
-                          "tolerance",
-                          "pass",
-                          "peak_memory_bytes",
-                          "state_hash",
-                          "version",
-                          "release",
-                          "commit",
-                          "build"}) {
+  for (const char* key : {"status",     "reason",       "steps",
+                          "time",       "wall_seconds", "threads",
+                          "ranks",      "backend",      "precision",
+                          "elements",   "nodes",        "element_steps_per_second",
+                          "time_step",  "min",          "mean",
+                          "set_by",     "interfaces",   "bonded",
+                          "inserted",   "released",     "fragments",
+                          "guard",      "ledger",       "KE",
+                          "res_1",      "res_2",        "effects",
+                          "share",      "effects_off",  "seconds",
+                          "bytes",      "launches",     "checks",
+                          "name",       "value",        "reference",
+                          "tolerance",  "pass",         "peak_memory_bytes",
+                          "state_hash", "version",      "release",
+                          "commit",     "build"}) {
     EXPECT_THAT(json, HasSubstr(std::string("\"").append(key).append("\": "))) << key;
   }
   EXPECT_THAT(json, HasSubstr("\"res_2\": null"));
   EXPECT_THAT(json, HasSubstr("\"IE_elastic\": 3"));
+  EXPECT_THAT(json, HasSubstr("\"share\": 0.6"));
+  EXPECT_THAT(json, ContainsRegex("\"effects_off\": \\[[^]]*\"gravity\",[^]]*\"rest\""));
 }
 
 TEST(IoReport, TableShowsRunCostsEnergiesAndChecks) {
@@ -97,7 +75,9 @@ TEST(IoReport, TableShowsRunCostsEnergiesAndChecks) {
   EXPECT_THAT(text, HasSubstr("stopped: element 7 inverted"));
   EXPECT_THAT(text, HasSubstr("35.2 M element-steps/s, peak memory 200 MiB"));
   EXPECT_THAT(text, HasSubstr("29000 bonded, 40 inserted, 12 released; 2 fragments"));
-  EXPECT_THAT(text, HasSubstr("75.0%"));  // 3 of 4 seconds
+  EXPECT_THAT(text, ContainsRegex("solid +3.000 +60.0%"));
+  EXPECT_THAT(text, ContainsRegex("everything else +1.000 +20.0%"));
+  EXPECT_THAT(text, HasSubstr("off: gravity rest"));
   EXPECT_THAT(text, HasSubstr("IE_elastic"));
   EXPECT_THAT(text,
               HasSubstr("3.1 % came from nowhere at most, bodies overlapped by 0.25 heights"));

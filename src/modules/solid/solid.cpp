@@ -190,7 +190,7 @@ ElementForceIn<D> Solid<D>::input(const Model<D>& model, const Block& block,
   in.density = material.density;
   in.shock_quadratic = material.viscosity.quadratic;
   in.shock_linear = material.viscosity.linear;
-  in.share = s.get_or_empty<ElementShare>();
+  if (!model.whole(block)) in.share = s.get<ElementShare>();
   in.wave_speed = std::sqrt(model.p_wave_modulus(block.material) / material.density);
   in.damping = material.damping;
   in.kick = clock.kick();
