@@ -147,32 +147,48 @@ double depth_of_chord(const SurfaceMesh<D>& mesh, Index e, int chord, const Vec<
   return norm(x[chord_node<D>(chord, 0)] - middle);
 }
 
+/// The same where it is a chord, else 0.
+template <int D>
+KOKKOS_FUNCTION
+double depth_if_chord(const SurfaceMesh<D>& mesh, Index e, int c, const Vec<D> (&x)[D + 1]) {
+  if (c <= D && mesh.on_surface(e, c)) return 0;
+  for (int i = 0; i < chord_size<D>(c); ++i)
+    if (mesh.edge(mesh.nodes(e, chord_node<D>(c, i))) == 0) return 0;
+  const double depth = depth_of_chord<D>(mesh, e, c, x);
+  const double length = norm(x[chord_node<D>(c, 1)] - x[chord_node<D>(c, 0)]);
+  return depth > kOnSurface * length ? depth : 0;
+}
+
 /// Bubbles of an element (eq:contact-potential-1 and -2); most elements have none.
 template <int D>
 KOKKOS_FUNCTION
 void find_bubbles(const SurfaceMesh<D>& mesh, Index e, double (&bubble)[kChords<D>]) {
-  int edges = 0, faces = 0;
+  int outer = 0, faces = 0;
   for (int c = 0; c < kChords<D>; ++c) bubble[c] = 0;
-  for (int a = 0; a <= D; ++a) edges += mesh.edge(mesh.nodes(e, a)) != 0 ? 1 : 0;
-  if (edges < 2) return;
+  for (int a = 0; a <= D; ++a) outer += mesh.edge(mesh.nodes(e, a)) != 0 ? 1 : 0;
+  if (outer < 2) return;
   Vec<D> x[D + 1];
   mesh.place(e, x);
   for (int f = 0; f <= D; ++f) faces += mesh.on_surface(e, f) ? 1 : 0;
-  for (int c = 0; c < kChords<D>; ++c) {
-    if (faces == D + 1) {
-      if (c > D) return;
+  if (faces == D + 1) {
+    for (int c = 0; c <= D; ++c) {
       Vec<D> face[D];
       for (int i = 0; i < D; ++i) face[i] = x[face_node<D>(c, i)];
       bubble[c] = -determinant(edge_matrix<D>(x)) / ((D - 1) * norm(face_normal(face)));
-      continue;
     }
-    bool chord = c > D || !mesh.on_surface(e, c);
-    for (int i = 0; i < chord_size<D>(c); ++i)
-      chord = chord && mesh.edge(mesh.nodes(e, chord_node<D>(c, i))) != 0;
-    if (!chord) continue;
-    const double depth = depth_of_chord<D>(mesh, e, c, x);
-    const double length = norm(x[chord_node<D>(c, 1)] - x[chord_node<D>(c, 0)]);
-    if (depth > kOnSurface * length) bubble[c] = chord_size<D>(c) * depth;
+    return;
+  }
+  for (int c = kFirstEdge<D>; c < kChords<D>; ++c) bubble[c] = 2 * depth_if_chord<D>(mesh, e, c, x);
+  if constexpr (D == 3) {
+    // What the edges leave at the middles of faces.
+    ContactPotential<D> edges{};
+    for (int c = 0; c < kChords<D>; ++c) edges.bubble[c] = bubble[c];
+    for (int c = 0; c <= D; ++c) {
+      double middle[D + 1];
+      for (int k = 0; k <= D; ++k) middle[k] = k == c ? 0.0 : 1.0 / D;
+      const double left = depth_if_chord<D>(mesh, e, c, x) - edges.value(middle).phi;
+      bubble[c] = D * Kokkos::max(0.0, left);
+    }
   }
 }
 

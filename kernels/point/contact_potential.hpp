@@ -5,9 +5,11 @@
 namespace breccia {
 
 /// Chords of an element: faces, then in space edges, all of whose nodes may lie on the surface
-/// while they themselves are inside.
+/// while they themselves are inside. In the plane the faces are the edges.
 template <int D>
 inline constexpr int kChords = D == 2 ? 3 : 10;
+template <int D>
+inline constexpr int kFirstEdge = D == 2 ? 0 : D + 1;
 
 template <int D>
 KOKKOS_INLINE_FUNCTION
@@ -29,13 +31,18 @@ constexpr int chord_node(int chord, int i) {
 ///
 // symbols  phi [m] depth below the surface      L_k [1] barycentric coordinates of the point
 //          phi_k [m] depth of node k, measured in the reference configuration; 0 on the surface
-//          b_c [m] bubble of chord c, see below  G [1] gradient of phi, of length about 1
+//          b_ij, b_f [m] bubbles of edges and faces, see below
+//          C_i [1] sum of the L_k of all nodes k that a chord joins to node i
+//          G [1] gradient of phi, of length about 1
 //          s_k,j [m] reference gradient at node k times reference edge j: the edges deform, the
 //          numbers do not
-// eq:contact-potential-1   phi = sum_k L_k phi_k + max_c b_c min over the nodes i of c (L_i)
-//   The second term serves faces and edges that are not surface but whose nodes all are (a chord
-//   across a corner or a thin strip): without it phi would vanish on them. b_c is the depth at the
-//   middle of the chord times the number of its nodes.
+// eq:contact-potential-1   phi = sum_k L_k phi_k + sum over edges ij of b_ij L_i L_j / max(C_i, C_j)
+//                                + max over faces f of b_f min over the nodes i of f (L_i)
+//   The further terms serve edges and faces that are not surface but whose nodes all are (a chord
+//   across a corner or a thin strip): without them phi would vanish there. b_ij is twice the depth
+//   at the middle of the edge: a tent min(L_i, L_j) where it is the only one, and the exact depth in
+//   a strip or plate one element thick, where the L of each side add up. b_f is three times what
+//   the edges leave of the depth at the middle of a face in space.
 // eq:contact-potential-2   phi = min_f h_f L_f in an element all of whose faces are surface: its
 //   exact depth. The heights h_f are stored as negative bubbles of the faces.
 template <int D>
@@ -59,35 +66,29 @@ struct ContactPotential {
     Value r{0, {}};
     for (int k = 0; k <= D; ++k) r.phi += l[k] * depth[k];
     for (int j = 0; j < D; ++j) r.edge[j] = depth[j + 1] - depth[0];
-    int node = -1;
-    double most = 0, height = 0;
-    for (int c = 0; c < kChords<D>; ++c) {
-      if (bubble[c] == 0) continue;
-      int least = chord_node<D>(c, 0);
-      for (int i = 1; i < chord_size<D>(c); ++i)
-        if (l[chord_node<D>(c, i)] < l[least]) least = chord_node<D>(c, i);
-      if (node >= 0 && !(bubble[c] * l[least] > most)) continue;
-      most = bubble[c] * l[least];
-      height = bubble[c];
-      node = least;
-    }
-    if (node < 0) return r;
-    r.phi += most;
-    add_weight(node, height, r.edge);
+    bool any = false;
+    for (int c = 0; c < kChords<D>; ++c) any = any || bubble[c] != 0;
+    if (!any) return r;
+    add_edges(l, r);
+    if constexpr (D == 3) add_faces(l, r);
     return r;
   }
 
-  /// Smooth gradient: that of the nodes, interpolated. A sharp corner of the body has no smooth
-  /// gradient (all zero, see kSharp); the exact one of the element, `own`, stands in for it, so
-  /// that
-  /// a flat side pushes along its normal up to its end.
+  /// Smooth gradient: that of the nodes, interpolated. Where a node has none (all zero, see kSharp)
+  /// the exact one of the element, `own`, stands in for it; where that node is a sharp corner of the
+  /// body, in the whole element: a flat side pushes along its normal up to its end, and half-smooth
+  /// directions next to a corner would make energy.
   KOKKOS_FUNCTION
   void smooth(const double (&l)[D + 1], const double (&own)[D], double (&edge)[D]) const {
-    for (int j = 0; j < D; ++j) edge[j] = 0;
+    bool sharp[D + 1], corner = false;
     for (int k = 0; k <= D; ++k) {
-      bool sharp = true;
-      for (int j = 0; j < D; ++j) sharp = sharp && slope[k][j] == 0;
-      for (int j = 0; j < D; ++j) edge[j] += l[k] * (sharp ? own[j] : slope[k][j]);
+      sharp[k] = true;
+      for (int j = 0; j < D; ++j) sharp[k] = sharp[k] && slope[k][j] == 0;
+      corner = corner || (sharp[k] && depth[k] == 0);
+    }
+    for (int j = 0; j < D; ++j) {
+      edge[j] = 0;
+      for (int k = 0; k <= D; ++k) edge[j] += l[k] * (corner || sharp[k] ? own[j] : slope[k][j]);
     }
   }
 
@@ -104,6 +105,55 @@ struct ContactPotential {
     for (int j = 0; j < D; ++j) r.edge[j] = 0;
     add_weight(least, -bubble[least], r.edge);
     return r;
+  }
+
+  KOKKOS_FUNCTION
+  void add_edges(const double (&l)[D + 1], Value& r) const {
+    double joined[D + 1];
+    for (int k = 0; k <= D; ++k) joined[k] = 0;
+    for_each_edge([&](int i, int j, double) {
+      joined[i] += l[j];
+      joined[j] += l[i];
+    });
+    for_each_edge([&](int i, int j, double height) {
+      const int most = joined[i] < joined[j] ? j : i;
+      if (!(joined[most] > 0)) return;
+      const double share = height / joined[most], part = share * l[i] * l[j];
+      r.phi += part;
+      add_weight(i, share * l[j], r.edge);
+      add_weight(j, share * l[i], r.edge);
+      for_each_edge([&](int a, int b, double) {
+        if (a == most) add_weight(b, -part / joined[most], r.edge);
+        if (b == most) add_weight(a, -part / joined[most], r.edge);
+      });
+    });
+  }
+
+  KOKKOS_FUNCTION
+  void add_faces(const double (&l)[D + 1], Value& r) const {
+    int node = -1;
+    double most = 0, height = 0;
+    for (int c = 0; c < kFirstEdge<D>; ++c) {
+      if (bubble[c] == 0) continue;
+      int least = chord_node<D>(c, 0);
+      for (int i = 1; i < chord_size<D>(c); ++i)
+        if (l[chord_node<D>(c, i)] < l[least]) least = chord_node<D>(c, i);
+      if (node >= 0 && !(bubble[c] * l[least] > most)) continue;
+      most = bubble[c] * l[least];
+      height = bubble[c];
+      node = least;
+    }
+    if (node < 0) return;
+    r.phi += most;
+    add_weight(node, height, r.edge);
+  }
+
+  /// f(node, node, bubble) for the edges that are chords.
+  template <class Function>
+  KOKKOS_INLINE_FUNCTION
+  void for_each_edge(const Function& f) const {
+    for (int c = kFirstEdge<D>; c < kChords<D>; ++c)
+      if (bubble[c] != 0) f(chord_node<D>(c, 0), chord_node<D>(c, 1), bubble[c]);
   }
 
   /// Adds height times the gradient of L_node.

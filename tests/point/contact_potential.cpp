@@ -84,38 +84,83 @@ TEST(ContactPotential, ChordOfACornerIsExactDepth) {
     }
 }
 
+/// Barycentric coordinates at random.
+template <int D>
+void draw(const Random& random, int i, double (&l)[D + 1]) {
+  double sum = 0;
+  for (int k = 0; k <= D; ++k) sum += l[k] = random.uniform(i, k);
+  for (double& a : l) a /= sum;
+}
+
+/// Nodes of `above` (bits) lie on one side of a plate of thickness h, the others on the other one.
+template <int D>
+void expect_plate(int above, double h) {
+  ContactPotential<D> p{};
+  for (int c = kFirstEdge<D>; c < kChords<D>; ++c) {
+    const bool first = (above >> chord_node<D>(c, 0)) & 1,
+               second = (above >> chord_node<D>(c, 1)) & 1;
+    if (first != second) p.bubble[c] = 2 * (h / 2);
+  }
+  const Random random{5, 6};
+  for (int i = 0; i < 100; ++i) {
+    double l[D + 1], up = 0;
+    draw<D>(random, i, l);
+    for (int k = 0; k <= D; ++k) up += (above >> k) & 1 ? l[k] : 0;
+    EXPECT_NEAR(p.value(l).phi, h * std::min(up, 1 - up), 1e-15) << above;
+  }
+}
+
+TEST(ContactPotential, StripsAndPlatesOfOneElementAreExact) {
+  for (int above = 1; above < 7; ++above) expect_plate<2>(above, 0.4);
+  for (int above = 1; above < 15; ++above) expect_plate<3>(above, 0.4);
+}
+
+// A triangle or tetrahedron between arms: no chord makes it deeper than itself.
+TEST(ContactPotential, ChordsAllAroundStayAsDeepAsTheyAre) {
+  ContactPotential<3> p{};
+  for (int c = kFirstEdge<3>; c < kChords<3>; ++c) p.bubble[c] = 2;
+  const double corner[4] = {0.25, 0.25, 0.25, 0.25}, side[4] = {0, 1.0 / 3, 1.0 / 3, 1.0 / 3},
+               edge[4] = {0, 0, 0.5, 0.5};
+  EXPECT_NEAR(p.value(corner).phi, 1, 1e-15);
+  EXPECT_NEAR(p.value(side).phi, 1, 1e-15);
+  EXPECT_NEAR(p.value(edge).phi, 1, 1e-15);
+}
+
 // The gradient that `value` gives is the derivative of its phi, away from the kinks.
-TEST(ContactPotential, GradientIsTheDerivative) {
-  const Vec<2> x[3] = {{{0.1, 0}}, {{1.3, 0.2}}, {{0.4, 0.9}}};
-  const Mat<2> inverted = inverse(edge_matrix<2>(x));
+template <int D>
+void expect_derivative(const Vec<D> (&x)[D + 1]) {
+  const Mat<D> inverted = inverse(edge_matrix<D>(x));
   const Random random{3, 4};
   for (int i = 0; i < 300; ++i) {
-    ContactPotential<2> p{};
-    for (int k = 0; k < 3; ++k) {
-      p.depth[k] = i % 3 == 0 ? 0.0 : random.uniform(i, k);
-      p.bubble[k] = i % 3 == 1 ? 0.0 : (i % 2 ? 1 : -1) * (0.1 + random.uniform(i, 3 + k));
-    }
+    ContactPotential<D> p{};
+    for (int k = 0; k <= D; ++k) p.depth[k] = i % 3 == 0 ? 0.0 : random.uniform(i, k);
+    for (int c = 0; c < kChords<D>; ++c)
+      p.bubble[c] = i % 3 == 1 || (i + c) % 4 == 3 ? 0.0 : 0.1 + random.uniform(i, 10 + c);
+    if (i % 2 == 0)
+      for (int f = 0; f <= D; ++f) p.bubble[f] = -0.1 - random.uniform(i, 30 + f);
     if (p.single())
       for (double& d : p.depth) d = 0;
-    double l[3] = {0.1 + random.uniform(i, 6), 0.1 + random.uniform(i, 7),
-                   0.1 + random.uniform(i, 8)};
-    const double sum = l[0] + l[1] + l[2];
-    for (double& a : l) a /= sum;
-    const Vec<2> q = mix(x, l), g = gradient_in_space<2>(inverted, p.value(l).edge);
+    double l[D + 1];
+    draw<D>(random, 1000 + i, l);
+    Vec<D> q = Vec<D>::zero();
+    for (int k = 0; k <= D; ++k) q += x[k] * l[k];
+    const Vec<D> g = gradient_in_space<D>(inverted, p.value(l).edge);
     const double step = 1e-7;
-    int kinks = 0;
-    for (int d = 0; d < 2; ++d) {
-      Vec<2> ahead = q, behind = q;
+    for (int d = 0; d < D; ++d) {
+      Vec<D> ahead = q, behind = q;
       ahead[d] += step;
       behind[d] -= step;
-      double la[3], lb[3];
+      double la[D + 1], lb[D + 1];
       barycentric(inverted, x[0], ahead, la);
       barycentric(inverted, x[0], behind, lb);
-      const double slope = (p.value(la).phi - p.value(lb).phi) / (2 * step);
-      kinks += std::abs(slope - g[d]) > 1e-6 ? 1 : 0;
+      EXPECT_NEAR((p.value(la).phi - p.value(lb).phi) / (2 * step), g[d], 1e-6) << i;
     }
-    EXPECT_EQ(kinks, 0) << i;
   }
+}
+
+TEST(ContactPotential, GradientIsTheDerivative) {
+  expect_derivative<2>({{{0.1, 0}}, {{1.3, 0.2}}, {{0.4, 0.9}}});
+  expect_derivative<3>({{{0.1, 0, 0}}, {{1.3, 0.2, 0.1}}, {{0.4, 0.9, 0}}, {{0.3, 0.3, 1.1}}});
 }
 
 TEST(ContactPotential, DistanceToSimplexGivesItsNearestPoint) {

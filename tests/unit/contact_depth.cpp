@@ -50,6 +50,31 @@ TEST(ContactDepth, RectangleIsExact) {
     }
 }
 
+// All nodes of a strip of one cell lie on its surface, and the depth is exact all the same.
+TEST(ContactDepth, StripOfOneCellIsExact) {
+  ContactWorld<2> world(block({0, 0}, {4, 1}, 4, 1, Pattern::right, 0));
+  world.update_surface();
+  const auto depth = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, world.surface.depth);
+  const auto bubble =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, world.surface.bubble);
+  const auto target = to_host(world.surface.target, world.surface.targets);
+  int seen = 0;
+  for (Index t = 0; t < world.surface.targets; ++t) {
+    ContactPotential<2> potential;
+    for (int c = 0; c < 3; ++c) potential.bubble[c] = bubble(t, c);
+    for (int a = 0; a < 3; ++a) potential.depth[a] = depth(t, a);
+    for (const double u : {0.1, 0.3, 0.6}) {
+      const double l[3] = {u, 0.7 * (1 - u), 0.3 * (1 - u)};
+      Vec<2> q = Vec<2>::zero();
+      for (int a = 0; a < 3; ++a) q += world.x[world.mesh.element[target[t]][a]] * l[a];
+      if (q[0] < 1 || q[0] > 3) continue;
+      ++seen;
+      EXPECT_NEAR(potential.value(l).phi, std::min(q[1], 1 - q[1]), 1e-14);
+    }
+  }
+  EXPECT_GT(seen, 8);
+}
+
 TEST(ContactDepth, TargetsAreTheLayersBehindTheSurface) {
   ContactWorld<2> world(block({0, 0}, {2, 1}, 20, 10, Pattern::right, 0));
   const auto targets = [&](Index layers) {
