@@ -36,12 +36,13 @@ constexpr int chord_node(int chord, int i) {
 //          G [1] gradient of phi, of length about 1
 //          s_k,j [m] reference gradient at node k times reference edge j: the edges deform, the
 //          numbers do not
-// eq:contact-potential-1   phi = sum_k L_k phi_k + sum over edges ij of b_ij L_i L_j / max(C_i, C_j)
+// eq:contact-potential-1   phi = sum_k L_k phi_k
+//                                + sum over edges ij of b_ij L_i L_j / max(C_i, C_j)
 //                                + max over faces f of b_f min over the nodes i of f (L_i)
 //   The further terms serve edges and faces that are not surface but whose nodes all are (a chord
 //   across a corner or a thin strip): without them phi would vanish there. b_ij is twice the depth
-//   at the middle of the edge: a tent min(L_i, L_j) where it is the only one, and the exact depth in
-//   a strip or plate one element thick, where the L of each side add up. b_f is three times what
+//   at the middle of the edge: a tent min(L_i, L_j) where it is the only one, and the exact depth
+//   in a strip or plate one element thick, where the L of each side add up. b_f is three times what
 //   the edges leave of the depth at the middle of a face in space.
 // eq:contact-potential-2   phi = min_f h_f L_f in an element all of whose faces are surface: its
 //   exact depth. The heights h_f are stored as negative bubbles of the faces.
@@ -75,9 +76,9 @@ struct ContactPotential {
   }
 
   /// Smooth gradient: that of the nodes, interpolated. Where a node has none (all zero, see kSharp)
-  /// the exact one of the element, `own`, stands in for it; where that node is a sharp corner of the
-  /// body, in the whole element: a flat side pushes along its normal up to its end, and half-smooth
-  /// directions next to a corner would make energy.
+  /// the exact one of the element, `own`, stands in for it; where that node is a sharp corner of
+  /// the body, in the whole element: a flat side pushes along its normal up to its end, and
+  /// half-smooth directions next to a corner would make energy.
   KOKKOS_FUNCTION
   void smooth(const double (&l)[D + 1], const double (&own)[D], double (&edge)[D]) const {
     bool sharp[D + 1], corner = false;
