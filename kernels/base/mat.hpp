@@ -222,36 +222,6 @@ Sym<N, R> congruent(const Mat<N, R>& f, const Sym<N, R>& s) {
   return r;
 }
 
-/// (1 + h)(1 + h)^T - 1, without the cancellation.
-template <int N, class R>
-KOKKOS_INLINE_FUNCTION
-Sym<N, R> left_growth(const Mat<N, R>& h) {
-  Sym<N, R> e = left_cauchy_green(h);
-  for (int i = 0; i < N; ++i)
-    for (int j = i; j < N; ++j) e(i, j) = e(i, j) + h(i, j) + h(j, i);
-  return e;
-}
-
-/// (1 + h)^T (1 + h) - 1.
-template <int N, class R>
-KOKKOS_INLINE_FUNCTION
-Sym<N, R> right_growth(const Mat<N, R>& h) {
-  return left_growth(transpose(h));
-}
-
-/// det(1 + h) - 1.
-template <int N, class R>
-KOKKOS_INLINE_FUNCTION
-R volume_growth(const Mat<N, R>& h) {
-  const Mat<N, R> c = cofactor(h);
-  if constexpr (N == 2) {
-    return h(0, 0) + h(1, 1) + (h(0, 0) * c(0, 0) + h(0, 1) * c(0, 1));
-  } else {
-    const R det = h(0, 0) * c(0, 0) + h(0, 1) * c(0, 1) + h(0, 2) * c(0, 2);
-    return h(0, 0) + h(1, 1) + h(2, 2) + (c(0, 0) + c(1, 1) + c(2, 2) + det);
-  }
-}
-
 /// (a + a^T) / 2.
 template <int N, class R>
 KOKKOS_INLINE_FUNCTION

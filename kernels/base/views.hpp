@@ -74,10 +74,6 @@ template <int D>
 using Matrices = Kokkos::View<double* [D][D], Columns, Memory>;
 template <int D>
 using ConstMatrices = Kokkos::View<const double* [D][D], Columns, Memory>;
-template <int D>
-using MatricesSingle = Kokkos::View<float* [D][D], Columns, Memory>;
-template <int D>
-using ConstMatricesSingle = Kokkos::View<const float* [D][D], Columns, Memory>;
 
 /// One symmetric matrix per corner: (element, local node, component of Sym<D>).
 template <int D>

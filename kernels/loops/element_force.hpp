@@ -24,8 +24,6 @@ struct ElementForceIn {
   ConstVectors<D> x;  ///< m, at t^n
   ConstVectors<D> v;  ///< m/s, at t^(n-1/2); read only where something is viscous
   ConstMatrices<D> reference;
-  ConstVectors<D> moved;  ///< x - X, m; read in single precision, as the next
-  ConstMatricesSingle<D> reference_single;
   Kokkos::View<const double*, Memory>
       share;          ///< of its stress that an element carries; may be empty
   Index begin, end;   ///< elements of the block
@@ -61,9 +59,8 @@ struct ElementForceOut {
 template <int D>
 void element_force(const ElementForceIn<D>& in, const ElementForceOut<D>& out);
 
-/// The same computed in single precision, the sums in double. Strains come from differences of
-/// displacements that are taken in double, so that their noise is a share of 6e-8 (and of the angle
-/// by which an element has turned), not 6e-8 itself.
+/// The same in single precision behind the deformation: C - 1 and J - 1 are formed in double, so
+/// that the noise of strains is a share of 6e-8, not 6e-8 itself, also where an element has turned.
 template <int D>
 void element_force_single(const ElementForceIn<D>& in, const ElementForceOut<D>& out);
 

@@ -67,14 +67,70 @@ struct GroupLanes {
   void gather(const Nodes& nodes, const Field& field,
               Vec<D, R> (&to)[kGroupNodes<D, Group>]) const {
     if constexpr (kSingle<R>) {
-      gather_differences<D>(nodes, field, to);
-      return;
+      WideNodes<D> wide;
+      gather_wide(nodes, field, wide);
+      for (int a = 0; a < kGroupNodes<D, Group>; ++a)
+        for (int d = 0; d < D; ++d) to[a][d] = narrow(wide.at[a][d]);
+    } else {
+      for (int a = 0; a < kGroupNodes<D, Group>; ++a) {
+        Index n[W];
+        numbers<D>(nodes, a, n);
+        for (int d = 0; d < D; ++d) to[a][d] = fill<R>([&](int l) { return field(n[l], d); });
+      }
     }
+  }
+
+  // In single precision: registers of doubles, two to a register of floats.
+  using Wide = std::conditional_t<kIsPack<R>, HostPack, double>;
+  static constexpr int kWide = lanes<Wide>(), kParts = kWide < W ? W / kWide : 1;
+
+  /// Vectors of the groups' nodes less that of the first one.
+  template <int D>
+  struct WideNodes {
+    Wide at[kGroupNodes<D, Group>][D][kParts];
+  };
+
+  template <int D, class Nodes, class Field>
+  KOKKOS_FORCEINLINE_FUNCTION
+  void gather_wide(const Nodes& nodes, const Field& field, WideNodes<D>& to) const {
+    Wide origin[D][kParts];
     for (int a = 0; a < kGroupNodes<D, Group>; ++a) {
       Index n[W];
       numbers<D>(nodes, a, n);
-      for (int d = 0; d < D; ++d) to[a][d] = fill<R>([&](int l) { return field(n[l], d); });
+      for (int d = 0; d < D; ++d)
+        for (int p = 0; p < kParts; ++p) {
+          const Wide value = fill<Wide>([&](int l) { return field(n[p * kWide + l], d); });
+          if (a == 0) origin[d][p] = value;
+          to.at[a][d][p] = value - origin[d][p];
+        }
     }
+  }
+
+  template <int D>
+  KOKKOS_FORCEINLINE_FUNCTION
+  static Mat<D, Wide> wide_edges(const WideNodes<D>& x, int sub, int part) {
+    Mat<D, Wide> g;
+    for (int j = 0; j < D; ++j)
+      for (int i = 0; i < D; ++i)
+        g(i, j) = x.at[group_node<D, Group>(sub, j + 1)][i][part] -
+                  x.at[group_node<D, Group>(sub, 0)][i][part];
+    return g;
+  }
+
+  template <class Field, class... Place>
+  KOKKOS_FORCEINLINE_FUNCTION
+  Wide read_wide(const Field& field, int part, int sub, Place... place) const {
+    if constexpr (Group == 1)
+      return load<Wide>(&field(begin + first + part * kWide, place...));
+    else
+      return fill<Wide>([&](int l) { return field(element(part * kWide + l, sub), place...); });
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION
+  static R narrow(const Wide (&wide)[kParts]) {
+    double lane[W];
+    for (int p = 0; p < kParts; ++p) store(wide[p], lane + p * kWide);
+    return load<R>(static_cast<const double*>(lane));
   }
 
  private:
@@ -84,37 +140,6 @@ struct GroupLanes {
   void numbers(const Nodes& nodes, int a, Index (&n)[W]) const {
     const CompositePlace place = group_place<D, Group>(a);
     for (int l = 0; l < W; ++l) n[l] = nodes(element(l, place.sub), place.corner);
-  }
-
-  using Wide = std::conditional_t<kIsPack<R>, HostPack, double>;
-  template <class Field>
-  KOKKOS_FORCEINLINE_FUNCTION
-  static Wide read_wide(const Field& field, const Index* n, int d) {
-    return fill<Wide>([&](int l) { return field(n[l], d); });
-  }
-
-  /// In registers of doubles, two to a register of floats.
-  template <int D, class Nodes, class Field>
-  KOKKOS_FORCEINLINE_FUNCTION
-  void gather_differences(const Nodes& nodes, const Field& field,
-                          Vec<D, R> (&to)[kGroupNodes<D, Group>]) const {
-    constexpr int kWide = lanes<Wide>(), kParts = W / kWide;
-    Wide origin[D][kParts];
-    Index n[W];
-    numbers<D>(nodes, 0, n);
-    for (int d = 0; d < D; ++d) {
-      for (int p = 0; p < kParts; ++p) origin[d][p] = read_wide(field, n + p * kWide, d);
-      to[0][d] = R(0);
-    }
-    for (int a = 1; a < kGroupNodes<D, Group>; ++a) {
-      numbers<D>(nodes, a, n);
-      for (int d = 0; d < D; ++d) {
-        double difference[W];
-        for (int p = 0; p < kParts; ++p)
-          store(read_wide(field, n + p * kWide, d) - origin[d][p], difference + p * kWide);
-        to[a][d] = load<R>(static_cast<const double*>(difference));
-      }
-    }
   }
 };
 

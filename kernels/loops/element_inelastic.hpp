@@ -17,7 +17,6 @@ namespace breccia {
 //              G = F^-1 exp(2 eps) F^-T.
 template <int D, class Law>
 struct InelasticResponse {
-  static constexpr bool kAxes = false;
   Law law;
   InelasticState<D> state;
   double density;       ///< kg/m3 at the start

@@ -31,14 +31,8 @@ struct ElementLoop {
     const Lanes lanes{in.begin, first, (in.end - in.begin) / Group};
     Vec<D, R> x[kNodes];
     Shapes shape;
-    form_all(lanes, x, shape);
     GroupVolume<R> volume{R(0), R(0), R(0), R(0)};
-    for (int s = 0; s < Group; ++s) {
-      const R original = shape[s].det / shape[s].jacobian;
-      volume.now = volume.now + shape[s].det;
-      volume.original = volume.original + original;
-      if constexpr (kSingle<R>) volume.growth = volume.growth + shape[s].dilation * original;
-    }
+    form_all(lanes, x, shape, volume);
     if constexpr (Group > 1) share_dilation(volume, shape);
     R stiffening = R(1);
     if (wish.shocked) press(lanes, x, volume, shape, stiffening, sums);
@@ -65,94 +59,93 @@ struct ElementLoop {
     return s;
   }
 
-  /// Shapes of all sub-elements and positions of the nodes; of these single precision knows nothing
-  /// but, where the law wants axes, the reference relative to the first node.
+  /// Shapes of all sub-elements, positions of the nodes (in single precision relative to the first
+  /// one), volumes.
   KOKKOS_FORCEINLINE_FUNCTION
-  void form_all(const Lanes& lanes, Vec<D, R> (&x)[kNodes], Shapes& shape) const {
+  void form_all(const Lanes& lanes, Vec<D, R> (&x)[kNodes], Shapes& shape,
+                GroupVolume<R>& volume) const {
     if constexpr (kSingle<R>) {
-      Vec<D, R> u[kNodes];
-      lanes.template gather<D>(in.nodes, in.moved, u);
-      if constexpr (Response::kAxes) {
-        lanes.template gather<D>(in.nodes, in.x, x);
-        for (int a = 0; a < kNodes; ++a) x[a] -= u[a];  // where they began
-      }
-      for (int s = 0; s < Group; ++s) {
-        form_moved(lanes, u, x, s, shape[s]);
-        complete(lanes, s, shape[s]);
-      }
+      form_wide(lanes, x, shape, volume);
     } else {
       lanes.template gather<D>(in.nodes, in.x, x);
-      for (int s = 0; s < Group; ++s) {
-        form(lanes, x, s, shape[s]);
-        complete(lanes, s, shape[s]);
-      }
+      for (int s = 0; s < Group; ++s) form(lanes, x, s, shape[s]);
     }
-  }
-
-  /// The edge matrix now: from positions, or the cofactors of its cofactors.
-  KOKKOS_FORCEINLINE_FUNCTION
-  static Mat<D, R> edges_now(const Vec<D, R> (&x)[kNodes], int s, const SubShape<D, R>& shape) {
-    if constexpr (!kSingle<R>) return sub_edges<D, Group, R>(x, s);
-    Mat<D, R> g = cofactor(shape.cofactors);
-    if constexpr (D == 2) return g;
-    const R over = R(1) / shape.det;
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) g(i, j) = g(i, j) * over;
-    return g;
-  }
-
-  template <class Field>
-  KOKKOS_FORCEINLINE_FUNCTION
-  static Mat<D, R> read_matrix(const Lanes& lanes, const Field& field, int s) {
-    Mat<D, R> m;
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) m(i, j) = lanes.read(field, s, i, j);
-    return m;
+    for (int s = 0; s < Group; ++s) {
+      shape[s].shift = R(0);
+      shape[s].share = wish.shared ? lanes.read(in.share, s) : R(1);
+      shape[s].work = R(0);
+      shape[s].shock = R(0);
+      report(lanes, s, shape[s].jacobian);
+      volume.now = volume.now + shape[s].det;
+      volume.original = volume.original + shape[s].det / shape[s].jacobian;
+    }
   }
 
   KOKKOS_FORCEINLINE_FUNCTION
   void form(const Lanes& lanes, const Vec<D, R> (&x)[kNodes], int s, SubShape<D, R>& shape) const {
     const Mat<D, R> g = sub_edges<D, Group, R>(x, s);
-    const Mat<D, R> reference = read_matrix(lanes, in.reference, s);
+    Mat<D, R> reference;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) reference(i, j) = lanes.read(in.reference, s, i, j);
     shape.cofactors = cofactor(g);
     shape.det = dot_columns(g, shape.cofactors);
     shape.f = g * reference;
     shape.jacobian = shape.det * determinant(reference);
   }
 
-  /// From displacements u: with R the inverse of the reference edges along the axes A, the
-  /// gradient is H = u R A^T, J - 1 = det(1 + H) - 1, and the cofactors of the edges now are
-  /// cof(1 + H) A R^T / det R.
+  /// All that is taken from one is formed in double, a part of the lanes at a time, and then
+  /// rounded: eq:solid-19  C - 1 along the material axes, J - 1, and Jbar - 1 of the group.
   KOKKOS_FORCEINLINE_FUNCTION
-  void form_moved(const Lanes& lanes, const Vec<D, R> (&u)[kNodes],
-                  const Vec<D, R> (&start)[kNodes], int s, SubShape<D, R>& shape) const {
-    const Mat<D, R> reference = read_matrix(lanes, in.reference_single, s);
-    Mat<D, R> h = sub_edges<D, Group, R>(u, s) * reference, back = transpose(reference);
-    if constexpr (Response::kAxes) {
-      shape.axes = sub_edges<D, Group, R>(start, s) * reference;
-      h = h * transpose(shape.axes);
-      back = shape.axes * back;
+  void form_wide(const Lanes& lanes, Vec<D, R> (&x)[kNodes], Shapes& shape,
+                 GroupVolume<R>& volume) const {
+    using Wide = typename Lanes::Wide;
+    constexpr int kParts = Lanes::kParts;
+    typename Lanes::template WideNodes<D> wide;
+    lanes.gather_wide(in.nodes, in.x, wide);
+    if (wish.damped || wish.shocked)
+      for (int a = 0; a < kNodes; ++a)
+        for (int d = 0; d < D; ++d) x[a][d] = Lanes::narrow(wide.at[a][d]);
+    Wide growth[kParts], original[kParts];
+    for (int s = 0; s < Group; ++s) {
+      Wide f[D][D][kParts], c[D][D][kParts], e[Sym<D>::size][kParts], det[kParts], j[kParts];
+      for (int p = 0; p < kParts; ++p) {
+        const Mat<D, Wide> g = Lanes::template wide_edges<D>(wide, s, p);
+        Mat<D, Wide> reference;
+        for (int i = 0; i < D; ++i)
+          for (int k = 0; k < D; ++k) reference(i, k) = lanes.read_wide(in.reference, p, s, i, k);
+        const Mat<D, Wide> now = g * reference, cofactors = cofactor(g);
+        const Sym<D, Wide> metric = right_cauchy_green(now);
+        for (int i = 0; i < D; ++i)
+          for (int k = 0; k < D; ++k) {
+            f[i][k][p] = now(i, k);
+            c[i][k][p] = cofactors(i, k);
+          }
+        for (int i = 0; i < Sym<D>::size; ++i)
+          e[i][p] = i < D ? metric.s[i] - Wide(1) : metric.s[i];
+        const Wide inverse = determinant(reference);
+        det[p] = g(0, 0) * cofactors(0, 0);
+        for (int k = 1; k < D; ++k) det[p] = det[p] + g(0, k) * cofactors(0, k);
+        j[p] = det[p] * inverse - Wide(1);
+        if constexpr (Group > 1) {
+          const Wide before = Wide(1) / inverse;
+          growth[p] = s == 0 ? j[p] * before : growth[p] + j[p] * before;
+          original[p] = s == 0 ? before : original[p] + before;
+        }
+      }
+      for (int i = 0; i < D; ++i)
+        for (int k = 0; k < D; ++k) {
+          shape[s].f(i, k) = Lanes::narrow(f[i][k]);
+          shape[s].cofactors(i, k) = Lanes::narrow(c[i][k]);
+        }
+      for (int i = 0; i < Sym<D>::size; ++i) shape[s].growth.s[i] = Lanes::narrow(e[i]);
+      shape[s].det = Lanes::narrow(det);
+      shape[s].dilation = Lanes::narrow(j);
+      shape[s].jacobian = R(1) + shape[s].dilation;
     }
-    Mat<D, R> f = h;
-    for (int i = 0; i < D; ++i) f(i, i) = f(i, i) + R(1);
-    const R over = R(1) / determinant(reference);
-    shape.gradient = h;
-    shape.dilation = volume_growth(h);
-    shape.jacobian = R(1) + shape.dilation;
-    shape.det = shape.jacobian * over;
-    shape.cofactors = cofactor(f) * back;
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) shape.cofactors(i, j) = shape.cofactors(i, j) * over;
-    if constexpr (Response::kAxes) shape.f = f * shape.axes;
-  }
-
-  KOKKOS_FORCEINLINE_FUNCTION
-  void complete(const Lanes& lanes, int s, SubShape<D, R>& shape) const {
-    shape.shift = R(0);
-    shape.share = wish.shared ? lanes.read(in.share, s) : R(1);
-    shape.work = R(0);
-    shape.shock = R(0);
-    report(lanes, s, shape.jacobian);
+    if constexpr (Group > 1) {
+      for (int p = 0; p < kParts; ++p) growth[p] = growth[p] / original[p];
+      volume.growth = Lanes::narrow(growth);
+    }
   }
 
   KOKKOS_FORCEINLINE_FUNCTION
@@ -171,9 +164,8 @@ struct ElementLoop {
   void share_dilation(const GroupVolume<R>& volume, Shapes& shape) const {
     if (in.flat) return;
     if constexpr (kSingle<R>) {
-      const R whole = log_of_one_plus(volume.growth / volume.original);
-      for (int s = 0; s < Group; ++s)
-        shape[s].shift = (whole - log_of_one_plus(shape[s].dilation)) * R(1.0 / 3);
+      const R whole = log_of_one_plus(volume.growth);
+      for (int s = 0; s < Group; ++s) shape[s].shift = whole;
     } else {
       const R whole = log_near_one(volume.now / volume.original);
       for (int s = 0; s < Group; ++s)
@@ -193,7 +185,7 @@ struct ElementLoop {
     R heat = R(0), excess = R(0);
     for (int s = 0; s < Group; ++s) {
       R heights, det;
-      const Sym<D, R> d = rate_of_deformation(edges_now(x, s, shape[s]),
+      const Sym<D, R> d = rate_of_deformation(sub_edges<D, Group, R>(x, s),
                                               sub_edges<D, Group, R>(v, s), heights, det);
       const R closing = maximum(R(0), -trace(d));
       const R size = map_lanes(shape[s].det * R(1 / kFactorial<D>), [](double part) {
@@ -262,7 +254,7 @@ struct ElementLoop {
     R beta[Group], whole = R(0), growth = R(0);
     for (int s = 0; s < Group; ++s) {
       R heights, det;
-      d[s].in = rate_of_deformation(edges_now(x, s, shape[s]), sub_edges<D, Group, R>(v, s),
+      d[s].in = rate_of_deformation(sub_edges<D, Group, R>(x, s), sub_edges<D, Group, R>(v, s),
                                     heights, det);
       d[s].zz = R(0);
       beta[s] = shape[s].share * R(2 * in.damping) /

@@ -32,22 +32,21 @@ struct SubShape {
   Mat<D, R> cofactors;  ///< of the edge matrix
   R det;                ///< of the edge matrix: D! times the volume
   R jacobian;
-  R shift;  ///< what the shared dilation adds to each normal strain
+  R shift;  ///< what the shared dilation adds to each normal strain; in single precision itself
   R share;  ///< of its stress that the element carries
   R work;   ///< of plastic flow in this step per reference volume, J/m3
   R shock;  ///< bulk viscosity, Pa
 
   // In single precision only:
-  Mat<D, R> gradient;  ///< of the displacement, F - 1
-  Mat<D, R> axes;      ///< material axes as columns; where the law wants them
-  R dilation;          ///< J - 1
+  Sym<D, R> growth;  ///< C - 1, along the material axes
+  R dilation;        ///< J - 1
 };
 
 /// Volume of a group, times D! and over the thickness, and what bulk viscosity does to it.
 template <class R>
 struct GroupVolume {
   R now, original;
-  R growth;      ///< now - original, in single precision only
+  R growth;      ///< now / original - 1, in single precision only
   R shock_work;  ///< heat of bulk viscosity in this step per reference volume, J/m3
 };
 

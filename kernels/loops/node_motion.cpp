@@ -3,6 +3,8 @@
 #include "loops/compact.hpp"
 #include "point/absorbing.hpp"
 
+#include <type_traits>
+
 namespace breccia {
 
 namespace {
@@ -55,9 +57,7 @@ struct NodeMotionLoop {
     work[5] += dot(reaction, way);
     if (in.resisting > 0) work[6] += dot(drag, way);
     set_row<D>(out.v, n, v_new);
-    const Vec<D> x = row<D>(out.x, n) + v_new * in.dt;
-    set_row<D>(out.x, n, x);
-    if (out.moved.extent(0) > 0) set_row<D>(out.moved, n, x - row<D>(in.reference, n));
+    set_row<D>(out.x, n, row<D>(out.x, n) + v_new * in.dt);
   }
 
  private:
@@ -71,13 +71,19 @@ struct NodeMotionLoop {
     Vec<D> extra[kExtraClasses] = {Vec<D>::zero(), Vec<D>::zero(), Vec<D>::zero()};
   };
 
+  /// Three floats are read as four, which become doubles at once: the fourth is the next corner's
+  /// or lies in the room behind the last element (scene/model_builder.cpp), and is left out.
+  static constexpr int kRead = D == 3 && std::is_same_v<F, float> ? 4 : D;
+
   KOKKOS_FORCEINLINE_FUNCTION
   Vec<D> gather(Index begin, Index end) const {
-    Vec<D> f = Vec<D>::zero();
+    double sum[kRead] = {};
     for (Index k = begin; k < end; ++k) {
       const F* corner = element_force + static_cast<std::ptrdiff_t>(in.corner_list(k)) * D;
-      for (int d = 0; d < D; ++d) f[d] += corner[d];
+      for (int d = 0; d < kRead; ++d) sum[d] += corner[d];
     }
+    Vec<D> f;
+    for (int d = 0; d < D; ++d) f[d] = sum[d];
     return f;
   }
 

@@ -44,7 +44,6 @@ struct NodeMotionOut {
   Vectors<D> x, v;
   Vectors<D> reaction;     ///< N; empty where nothing is prescribed
   ChunkSums<kWorks> work;  ///< J, adds this step's work of every force class
-  Vectors<D> moved = {};   ///< x - X, m, with the reference of the input; empty: not wanted
 };
 
 /// Gathers the forces of each node in corner order and moves it:

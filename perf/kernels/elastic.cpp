@@ -12,14 +12,13 @@ namespace {
 /// Bytes that one element (with its share of nodes) moves through memory per step when the nodes
 /// of neighbouring elements stay in cache. Element loop: connectivity, reference matrix, nodes,
 /// corner forces written (and fetched before). Node loop: ranges, list, forces, flags, mass,
-/// positions and velocities read and written. In mixed precision matrices and forces are floats,
-/// and the node loop reads the reference and writes the way moved.
+/// positions and velocities read and written. In mixed precision forces are floats.
 template <int D>
 double bytes_per_element(double nodes_per_element, bool mixed) {
   const double real = mixed ? 4 : 8;
-  const double element = 4.0 * (D + 1) + real * D * D + 2 * real * (D + 1) * D;
+  const double element = 4.0 * (D + 1) + 8.0 * D * D + 2 * real * (D + 1) * D;
   const double corners = (4.0 + real * D) * (D + 1);
-  const double node = 8.0 + 4.0 + 8.0 + 4 * 8.0 * D + 8.0 * D + (mixed ? 24.0 * D : 0);
+  const double node = 8.0 + 4.0 + 8.0 + 4 * 8.0 * D + 8.0 * D;
   return element + corners + nodes_per_element * node;
 }
 

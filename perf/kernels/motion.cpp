@@ -16,7 +16,6 @@ NodeMotionIn<D> motion_in(const Model<D>& model) {
   in.corners = s.get<NodeCorners>();
   in.corner_list = s.get<CornerList>();
   in.element_force = element_forces<D>(s);
-  in.reference = s.get<NodeReference<D>>();
   in.extra[0] = s.get<InterfaceForce<D>>();
   in.extra_bit = {node_flag::interface, 0, 0};
   in.flags = s.get<NodeFlags>();
@@ -72,13 +71,12 @@ void motion(benchmark::State& state) {
   const NodeMotionOut<D> out{model.store.template get<NodePosition<D>>(),
                              model.store.template get<NodeVelocity<D>>(),
                              {},
-                             ChunkSums<kWorks>("breccia::perf::work", chunks_of(model.nodes())),
-                             model.store.template get_or_empty<NodeMoved<D>>()};
+                             ChunkSums<kWorks>("breccia::perf::work", chunks_of(model.nodes()))};
   verify(state, model, in, out);
   for (auto _ : state) node_motion(model.nodes(), in, out);
   // Range, flags, mass, position and velocity read and written; one corner per node: its number and
-  // the forces of two classes. In mixed precision one of them is single, and the way moved written.
-  report(state, model.nodes(), 8 + 4 + 8 + 4 * 8.0 * D + 4 + (mixed ? 36.0 : 16.0) * D);
+  // the forces of two classes. In mixed precision one of them is single.
+  report(state, model.nodes(), 8 + 4 + 8 + 4 * 8.0 * D + 4 + (mixed ? 12.0 : 16.0) * D);
 }
 
 /// The same loop where every corner belongs to a boundary that lets waves out, at worst.

@@ -33,19 +33,18 @@ std::string elastic_of(int material) {
 
 /// Bytes that one simplex moves per step when the nodes of neighbours stay in cache: element loop
 /// (connectivity of the group, reference matrices, corner forces written and fetched before,
-/// state read, stress written and fetched before) and node loop. In mixed precision matrices and
-/// forces are floats where the law allows it, and the node loop reads the reference and writes the
-/// way moved.
+/// state read, stress written and fetched before) and node loop. In mixed precision forces
+/// are floats.
 template <int D>
 double bytes_per_element(int group, int material, bool mixed, double nodes_per_element) {
   constexpr double kTensor = 8.0 * (D == 2 ? 4 : 6);
   const bool state = material >= quiet, stress = state || material == layered || group > 1;
-  const double force = mixed ? 4 : 8, shape = mixed && !state ? 4 : 8;
+  const double force = mixed ? 4 : 8;
   const double indices = group == 1 ? D + 1 : (D == 2 ? 6.0 : 10.0) / group;
-  const double element = 4.0 * indices + shape * D * D + 2 * force * (D + 1) * D +
+  const double element = 4.0 * indices + 8.0 * D * D + 2 * force * (D + 1) * D +
                          (state ? kTensor + 8.0 : 0.0) + (stress ? 2 * kTensor : 0.0);
   const double corners = (4.0 + force * D) * (D + 1);
-  const double node = 8.0 + 4.0 + 8.0 + 4 * 8.0 * D + 8.0 * D + (mixed ? 24.0 * D : 0.0);
+  const double node = 8.0 + 4.0 + 8.0 + 4 * 8.0 * D + 8.0 * D;
   return element + corners + nodes_per_element * node;
 }
 

@@ -28,14 +28,6 @@ struct NodeReference {
                                   "position in the reference configuration"};
 };
 
-/// Written with the position in runs of mixed precision, whose element loop gathers it instead.
-template <int D>
-struct NodeMoved {
-  using View = Vectors<D>;
-  static constexpr FieldInfo info{"node_moved", Entity::node, "m", Restart::yes,
-                                  "displacement x - X, in double"};
-};
-
 struct NodeMass {
   using View = Array<double>;
   static constexpr FieldInfo info{"node_mass", Entity::node, "kg", Restart::yes,
@@ -116,15 +108,6 @@ struct ElementReference {
   using View = Matrices<D>;
   static constexpr FieldInfo info{"element_reference", Entity::element, "1/m", Restart::no,
                                   "inverse of the reference edge matrix"};
-};
-
-/// The same for the loops of a run in mixed precision, with all edges along the axes of the
-/// coordinates where elements are isotropic.
-template <int D>
-struct ElementReferenceSingle {
-  using View = MatricesSingle<D>;
-  static constexpr FieldInfo info{"element_reference_single", Entity::element, "1/m", Restart::no,
-                                  "inverse of the reference edge matrix in single precision"};
 };
 
 /// Share of its stress and mass that an element still has: 1, falling to 0 while it is excavated.

@@ -29,13 +29,10 @@ void Motion<D>::declare(Model<D>& model) {
   s.add<ElementReference<D>>(key());
   s.add<ElementMaterial>(key());
   s.add<ElementBody>(key());
-  if (model.mixed) {
+  if (model.mixed)
     s.add<ElementForceSingle<D>>(key());
-    s.add<ElementReferenceSingle<D>>(key());
-    s.add<NodeMoved<D>>(key());
-  } else {
+  else
     s.add<ElementForce<D>>(key());
-  }
   s.add<ElementRate>(key());
   if (model.scene->at("run").has("mass_scaling")) s.add<NodeAddedMass>(key());
 }
@@ -61,28 +58,6 @@ void fill_reference(const Model<D>& model, std::vector<double>& volume) {
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j) host(e, i, j) = inverted(i, j);
     if (e < volume.size()) volume[e] = determinant(g) * model.thickness / (D == 2 ? 2.0 : 6.0);
-  }
-  Kokkos::deep_copy(view, host);
-}
-
-/// The float copy. Isotropic elements do not care about axes and save turning them.
-template <int D>
-void fill_single_reference(const Model<D>& model) {
-  const auto from = Kokkos::create_mirror_view_and_copy(
-      Kokkos::HostSpace{}, model.store.template get<ElementReference<D>>());
-  const auto& view = model.store.template get<ElementReferenceSingle<D>>();
-  const auto host = Kokkos::create_mirror_view(view);
-  for (std::size_t e = 0; e < host.extent(0); ++e) {
-    const std::size_t real = std::min(e, model.mesh.element.size() - 1);
-    const bool turned =
-        !model.axes.empty() &&
-        !model.material_of_body(model.mesh.body[static_cast<Index>(real)]).stiffness;
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) {
-        double entry = turned ? 0 : from(e, i, j);
-        for (int k = 0; turned && k < D; ++k) entry += from(e, i, k) * model.axes[real](j, k);
-        host(e, i, j) = static_cast<float>(entry);
-      }
   }
   Kokkos::deep_copy(view, host);
 }
@@ -141,7 +116,6 @@ void Motion<D>::make_corners(Model<D>& model) {
 template <int D>
 void Motion<D>::resume(Model<D>& model) {
   fill_reference(model, volume_);
-  if (model.mixed) fill_single_reference(model);
   Store& s = model.store;
   const auto material = Kokkos::create_mirror_view(s.get<ElementMaterial>());
   const auto body = Kokkos::create_mirror_view(s.get<ElementBody>());
@@ -190,12 +164,10 @@ void Motion<D>::move(Model<D>& model, const Clock& clock) {
     in.absorbing = s.get<AbsorberDamping<D>>();
     in.absorb_bit = node_flag::absorb;
   }
-  if (model.mixed) in.reference = s.get<NodeReference<D>>();
   in.dt = clock.dt;
   in.kick = clock.kick();
   const NodeMotionOut<D> out{s.get<NodePosition<D>>(), s.get<NodeVelocity<D>>(),
-                             s.get_or_empty<NodeReaction<D>>(), work_,
-                             s.get_or_empty<NodeMoved<D>>()};
+                             s.get_or_empty<NodeReaction<D>>(), work_};
   node_motion(model.nodes(), in, out);
 }
 

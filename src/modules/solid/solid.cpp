@@ -180,8 +180,6 @@ ElementForceIn<D> Solid<D>::input(const Model<D>& model, const Block& block,
   in.x = s.get<NodePosition<D>>();
   in.v = s.get<NodeVelocity<D>>();
   in.reference = s.get<ElementReference<D>>();
-  in.reference_single = s.get_or_empty<ElementReferenceSingle<D>>();
-  in.moved = s.get_or_empty<NodeMoved<D>>();
   in.begin = block.begin;
   in.end = block.end;
   in.group = block.group;
