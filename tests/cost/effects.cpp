@@ -158,6 +158,22 @@ TEST(Cost, AStepAllocatesCopiesAndWaitsForNothing) {
   }
 }
 
+// What the cost sheet says of the memory that no field holds, against what the effect holds.
+TEST(Cost, BytesOfModulesAreThoseOfKokkos) {
+  for (const char* effect : {"fracture", "contact"}) {
+    const KokkosLog log;
+    SceneWorld<2> world(with({effect}).text());
+    world.simulation.start();
+    world.steps(60);
+    std::size_t told = 0;
+    for (const auto& m : world.simulation.modules())
+      if (m->key() == effect) told = m->bytes();
+    const auto held = static_cast<std::size_t>(log.held_by(effect));
+    EXPECT_GT(held, 0u) << effect;
+    EXPECT_NEAR(static_cast<double>(told), static_cast<double>(held), 0.1 * held) << effect;
+  }
+}
+
 TEST(Cost, AnElasticStepIsTwoLaunches) {
   const KokkosLog::Record record = step_record(BlockScene{});
   EXPECT_EQ(record.launches.at("breccia::solid::element_force"), 10);

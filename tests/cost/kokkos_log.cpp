@@ -16,6 +16,11 @@ void launched(const char* name, std::uint32_t, std::uint64_t*) {
 void allocated(Kokkos::Tools::SpaceHandle, const char* label, const void*, std::uint64_t bytes) {
   ++current.allocations[label];
   current.bytes[label] += bytes;
+  current.held[label] += static_cast<std::int64_t>(bytes);
+}
+
+void freed(Kokkos::Tools::SpaceHandle, const char* label, const void*, std::uint64_t bytes) {
+  current.held[label] -= static_cast<std::int64_t>(bytes);
 }
 
 void copied(Kokkos::Tools::SpaceHandle, const char* to, const void*, Kokkos::Tools::SpaceHandle,
@@ -36,6 +41,7 @@ KokkosLog::KokkosLog() {
   tools::set_begin_parallel_reduce_callback(launched);
   tools::set_begin_parallel_scan_callback(launched);
   tools::set_allocate_data_callback(allocated);
+  tools::set_deallocate_data_callback(freed);
   tools::set_begin_deep_copy_callback(copied);
   tools::set_begin_fence_callback(fenced);
 }
@@ -46,6 +52,7 @@ KokkosLog::~KokkosLog() {
   tools::set_begin_parallel_reduce_callback(nullptr);
   tools::set_begin_parallel_scan_callback(nullptr);
   tools::set_allocate_data_callback(nullptr);
+  tools::set_deallocate_data_callback(nullptr);
   tools::set_begin_deep_copy_callback(nullptr);
   tools::set_begin_fence_callback(nullptr);
 }
@@ -60,6 +67,10 @@ std::int64_t KokkosLog::launches_of(const std::string& effect) const {
 
 std::int64_t KokkosLog::allocations_of(const std::string& effect) const {
   return sum_of(current.allocations, effect);
+}
+
+std::int64_t KokkosLog::held_by(const std::string& effect) const {
+  return sum_of(current.held, effect);
 }
 
 std::int64_t KokkosLog::sum(const std::map<std::string, std::int64_t>& counts) {

@@ -18,6 +18,7 @@ class KokkosLog {
     std::map<std::string, std::int64_t> launches;     ///< by label
     std::map<std::string, std::int64_t> allocations;  ///< by label
     std::map<std::string, std::uint64_t> bytes;       ///< allocated, by label
+    std::map<std::string, std::int64_t> held;         ///< bytes less those that were freed
     std::vector<std::string> copies;                  ///< deep copies: source -> destination
     std::vector<std::string> fences;
   };
@@ -28,6 +29,7 @@ class KokkosLog {
   /// Launches and allocations whose label begins with "breccia::<effect>::", and their bytes.
   std::int64_t launches_of(const std::string& effect) const;
   std::int64_t allocations_of(const std::string& effect) const;
+  std::int64_t held_by(const std::string& effect) const;
 
  private:
   static std::int64_t sum(const std::map<std::string, std::int64_t>& counts);

@@ -78,6 +78,11 @@ Index CrackTips<D>::find(const TipOnsetIn<D>& in) {
   return 0;
 }
 
+template <int D>
+std::size_t CrackTips<D>::bytes() const {
+  return bytes_of(flag_, tips_, tip_of_, choice_, found_);
+}
+
 template class CrackTips<2>;
 template class CrackTips<3>;
 

@@ -19,6 +19,7 @@ class CrackTips {
   /// Faces that are to be inserted; found() holds them.
   Index find(const TipOnsetIn<D>& in);
   const Array<Index>& found() const { return found_; }
+  std::size_t bytes() const;
 
  private:
   Array<std::uint8_t> flag_;  ///< of families

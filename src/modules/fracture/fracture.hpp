@@ -30,6 +30,9 @@ class Fracture final : public Module<D> {
   void draw(Model<D>& model, Picture& picture) const override;
   std::vector<Event> take_events() override;
   void count(Model<D>& model, Counts& counts) const override;
+  std::size_t bytes() const override {
+    return insertion_.bytes() + lists_.bytes() + bytes_of(kind_, changed_);
+  }
   void archive(Archive& archive) override;
 
  private:

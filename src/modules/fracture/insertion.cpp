@@ -307,6 +307,15 @@ void Insertion<D>::balance(const Model<D>& model, const Stars<D>& stars) const {
            s.get<InterfacePairForce<D>>(), s.get_or_empty<InterfaceFaults<D>>()});
 }
 
+template <int D>
+std::size_t Insertion<D>::bytes() const {
+  const StarWork<D>& w = work_;
+  return tips_.bytes() + bytes_of(laws_, law_of_, sides_, density_, hot_, found_, parent_, mark_,
+                                  touched_, strained_, w.family, w.begin, w.fresh, w.root, w.owner,
+                                  w.link, w.weight, w.mass, w.wanted, w.potential, w.residual,
+                                  w.direction, w.image);
+}
+
 template class Insertion<2>;
 template class Insertion<3>;
 

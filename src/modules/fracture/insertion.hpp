@@ -32,6 +32,7 @@ class Insertion {
   /// Families that the last check, or the last renewal, has found changed.
   const Array<Index>& families() const { return work_.family; }
   Index family_count() const { return work_.families; }
+  std::size_t bytes() const;
 
  private:
   Index start_faults(Model<D>& model);

@@ -115,6 +115,13 @@ bool InterfaceLists<D>::leave(Index count) {
   return gone_ > size() / kShare;
 }
 
+template <int D>
+std::size_t InterfaceLists<D>::bytes() const {
+  std::size_t sum = bytes_of(elements_, element_mark_, nodes_, sources_);
+  for (const Array<Index>& list : list_) sum += bytes_of(list);
+  return sum;
+}
+
 template class InterfaceLists<2>;
 template class InterfaceLists<3>;
 template FaceMap<2> face_map<2>(const Store&);

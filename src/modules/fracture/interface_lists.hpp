@@ -33,6 +33,7 @@ class InterfaceLists {
   Index element_count() const { return element_count_; }
   const PairNodes<D>& nodes() const { return nodes_; }
   const PairSources<D>& sources() const { return sources_; }
+  std::size_t bytes() const;
 
  private:
   void append(const Model<D>& model, Index first);
@@ -54,6 +55,12 @@ void make_room(View& view, const char* label, Index n) {
   if (static_cast<Index>(view.extent(0)) >= n) return;
   view = View();
   view = allocate<View>(label, static_cast<std::size_t>(n) + static_cast<std::size_t>(n) / 2);
+}
+
+/// Memory of views.
+template <class... View>
+std::size_t bytes_of(const View&... view) {
+  return (std::size_t{0} + ... + (view.span() * sizeof(typename View::value_type)));
 }
 
 /// Views of the inserted faces and of the faces between elements.
