@@ -36,8 +36,10 @@ double share_of(const BlockScene& without, const BlockScene& with) {
   return median(ratio) - 1;
 }
 
-/// A true cost of 2 % and a hundredth for the machine; one of 5 % is far above.
-constexpr double kBound = 0.03;
+/// A true cost of 2 % in the plane and of 4 % in space (docs/cost.md), and a hundredth for the
+/// machine.
+template <int D>
+constexpr double kBound = D == 2 ? 0.03 : 0.05;
 
 template <int D>
 void expect_idle(const std::vector<EffectCase>& effects) {
@@ -45,7 +47,7 @@ void expect_idle(const std::vector<EffectCase>& effects) {
     const double share = share_of<D>(turning_block(D, ""), turning_block(D, effect.section));
     ::testing::Test::RecordProperty(fmt::format("{}_{}d", effect.name, D),
                                     fmt::format("{:.4f}", share));
-    EXPECT_LT(share, kBound) << effect.name;
+    EXPECT_LT(share, kBound<D>) << effect.name;
   }
 }
 
@@ -67,7 +69,7 @@ TEST(SlowIdle, InThePlaneItCostsBelowTwoPercent) {
   EXPECT_GT(share_of<2>(turning_block(2, ""), damped), 0.1);
 }
 
-TEST(SlowIdle, InSpaceItCostsBelowTwoPercent) {
+TEST(SlowIdle, InSpaceItCostsBelowFourPercent) {
   expect_idle<3>(idle(3, {"fracture", "contact", "sensor", "rigid"}));
 }
 
