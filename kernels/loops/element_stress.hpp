@@ -5,8 +5,8 @@
 
 namespace breccia {
 
-/// Stress and energy of single elements, for onset checks, energies and pictures: the same
-/// law as the element loop, one element at a time.
+/// Stress of single elements, for onset checks and pictures: the same law as the element loop, one
+/// element at a time.
 template <int D>
 struct ElementStress {
   ConstConnectivity<D> nodes;
@@ -57,27 +57,10 @@ struct ElementStress {
       for (int j = 0; j < D; ++j) inverse_edges(i, j) = reference(e, i, j);
     return thickness / (kFactorial<D> * determinant(inverse_edges));
   }
-
-  /// Strain energy of a group of elements that share their dilation (one element: of itself), J.
-  KOKKOS_FUNCTION
-  double energy(Index first, int group) const {
-    double now = 0, original = 0, sum = 0, jacobian = 1;
-    for (Index e = first; e < first + group; ++e) {
-      strain(e, jacobian);
-      original += volume(e);
-      now += volume(e) * jacobian;
-    }
-    for (Index e = first; e < first + group; ++e) {
-      FullSym<D> eps{strain(e, jacobian), 0};
-      if (group > 1 && !flat) eps.add_identity(Kokkos::log(now / (original * jacobian)) / 3);
-      const double carried = share.extent(0) > 0 ? share(e) : 1.0;
-      sum += 0.5 * contract(isotropic(law(e), eps, flat), eps) * volume(e) * carried;
-    }
-    return sum;
-  }
 };
 
-/// Strain energy of hyperelastic elements [begin, end) in groups, J; added up in a fixed order.
+/// Strain energy of hyperelastic elements [begin, end) of one material, in groups that share their
+/// dilation, J; added up in a fixed order.
 template <int D>
 double strain_energy(const ElementStress<D>& stress, Index begin, Index end, int group);
 
