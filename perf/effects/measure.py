@@ -187,6 +187,7 @@ def main():
     system = "/usr/bin/python3"  # a Python of the user's own often stands before it and has no packages
     if importlib.util.find_spec("matplotlib") is None and sys.executable != system and os.path.exists(system):
         os.execv(system, [system, *sys.argv])
+    arguments.folder.mkdir(parents=True, exist_ok=True)
     table = arguments.folder / "effects.csv"
     if not arguments.draw:
         rows = measure(arguments.executable, arguments.turns)
