@@ -96,7 +96,7 @@ R load(const T* from) {
   }
 }
 
-/// Lanes are f(lane of x); for the few lanes that a quick formula does not reach.
+/// Lanes are f(lane of x).
 template <class R, class F>
 KOKKOS_FORCEINLINE_FUNCTION
 R map_lanes(const R& x, const F& f) {
@@ -104,6 +104,20 @@ R map_lanes(const R& x, const F& f) {
   store(x, a);
   for (int i = 0; i < lanes<R>(); ++i) a[i] = f(a[i]);
   return load<R>(a);
+}
+
+/// The quick result but in lanes whose `y` is beyond `reach`, where it is f(lane of x). What a lane
+/// gets does not depend on the others: elements are packed differently on other numbers of ranks.
+template <class R, class F>
+KOKKOS_FORCEINLINE_FUNCTION
+R mended(const R& quick, const R& y, double reach, const R& x, const F& f) {
+  double result[lanes<R>()], size[lanes<R>()], of[lanes<R>()];
+  store(quick, result);
+  store(y, size);
+  store(x, of);
+  for (int l = 0; l < lanes<R>(); ++l)
+    if (!(size[l] <= static_cast<Lane<R>>(reach))) result[l] = f(of[l]);
+  return load<R>(result);
 }
 
 /// True when the comparison holds in any lane.

@@ -31,32 +31,28 @@ R atanh_slope(const R& y) {
 }  // namespace series
 
 /// atanh(q) / q as a function of y = q^2, 0 <= y < 1: a series near zero, the library function
-/// beyond its reach. Lanes that are out of reach are done one by one (rare: stretches above 1.3).
+/// beyond its reach, in the lanes that are (rare: stretches above 1.3).
 template <class R>
 KOKKOS_FORCEINLINE_FUNCTION
 R atanh_ratio(const R& y) {
-  if (any(!(y <= R(series::kReach)))) {
-    return map_lanes(y, [](double yi) {
-      if (!(yi > series::kReach)) return series::atanh_over(yi);
-      const double q = Kokkos::sqrt(yi);
-      return Kokkos::atanh(q) / q;
-    });
-  }
-  return series::atanh_over(y);
+  const R near = series::atanh_over(y);
+  if (!any(!(y <= R(series::kReach)))) return near;
+  return mended(near, y, series::kReach, y, [](double yi) {
+    const double q = Kokkos::sqrt(yi);
+    return Kokkos::atanh(q) / q;
+  });
 }
 
 /// Derivative of atanh_ratio: (1 / (1 - y) - atanh_ratio(y)) / (2 y), as a series near zero.
 template <class R>
 KOKKOS_FORCEINLINE_FUNCTION
 R atanh_ratio_slope(const R& y) {
-  if (any(!(y <= R(series::kReach)))) {
-    return map_lanes(y, [](double yi) {
-      if (!(yi > series::kReach)) return series::atanh_slope(yi);
-      const double q = Kokkos::sqrt(yi);
-      return 0.5 * (1 / (1 - yi) - Kokkos::atanh(q) / q) / yi;
-    });
-  }
-  return series::atanh_slope(y);
+  const R near = series::atanh_slope(y);
+  if (!any(!(y <= R(series::kReach)))) return near;
+  return mended(near, y, series::kReach, y, [](double yi) {
+    const double q = Kokkos::sqrt(yi);
+    return 0.5 * (1 / (1 - yi) - Kokkos::atanh(q) / q) / yi;
+  });
 }
 
 /// ln(j), quick for j near one (0.75 < j < 1.33), exact to round-off everywhere.
@@ -65,10 +61,9 @@ KOKKOS_FORCEINLINE_FUNCTION
 R log_near_one(const R& j) {
   const R z = (j - R(1)) / (j + R(1));
   const R y = z * z;
-  if (any(!(y <= R(series::kReach)))) {
-    return map_lanes(j, [](double ji) { return Kokkos::log(ji); });
-  }
-  return R(2) * z * series::atanh_over(y);
+  const R near = R(2) * z * series::atanh_over(y);
+  if (!any(!(y <= R(series::kReach)))) return near;
+  return mended(near, y, series::kReach, j, [](double ji) { return Kokkos::log(ji); });
 }
 
 /// ln(1 + z), exact to round-off of z itself where z is small.
@@ -77,10 +72,9 @@ KOKKOS_FORCEINLINE_FUNCTION
 R log_of_one_plus(const R& z) {
   const R w = z / (z + R(2));
   const R y = w * w;
-  if (any(!(y <= R(series::kReach)))) {
-    return map_lanes(z, [](double zi) { return Kokkos::log1p(zi); });
-  }
-  return R(2) * w * series::atanh_over(y);
+  const R near = R(2) * w * series::atanh_over(y);
+  if (!any(!(y <= R(series::kReach)))) return near;
+  return mended(near, y, series::kReach, z, [](double zi) { return Kokkos::log1p(zi); });
 }
 
 }  // namespace breccia

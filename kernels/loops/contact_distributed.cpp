@@ -14,7 +14,10 @@ struct DistributedForceLoop {
   ContactForceOut<D> out;
 
   KOKKOS_FUNCTION
-  void operator()(Index a, Sums<3>& lost) const {
+  void operator()(Index a, Sums<3>& all_lost) const {
+    Sums<3> elsewhere;
+    const bool counts = out.history.counts(a);
+    Sums<3>& lost = counts ? all_lost : elsewhere;
     const int q = in.pairs.point(a) % kFacePoints<D>;
     Vec<D> x[D], v[D];
     for (int k = 0; k < D; ++k) {
@@ -27,7 +30,7 @@ struct DistributedForceLoop {
     double largest = 0, share = 0;
     motion.velocity = Vec<D>::zero();
     for (Index p = in.pairs.pair_begin(a); p < in.pairs.pair_begin(a + 1); ++p) {
-      const double depth = overlap(p, q, x, v, share, motion.velocity);
+      const double depth = overlap(p, q, x, v, counts, share, motion.velocity);
       motion.phi += depth;
       if (depth <= largest) continue;
       largest = depth;
@@ -68,8 +71,8 @@ struct DistributedForceLoop {
   /// centre times the depth. The pair's force holds the depth until all pairs of the point are
   /// known.
   KOKKOS_FUNCTION
-  double overlap(Index p, int q, const Vec<D> (&x)[D], const Vec<D> (&v)[D], double& share,
-                 Vec<D>& velocity) const {
+  double overlap(Index p, int q, const Vec<D> (&x)[D], const Vec<D> (&v)[D], bool counts,
+                 double& share, Vec<D>& velocity) const {
     const Index t = in.pairs.target(p);
     Index node[D + 1];
     Vec<D> corner[D + 1];
@@ -90,7 +93,7 @@ struct DistributedForceLoop {
       velocity -= row<D>(in.v, node[k]) * (r.depth * r.l[k]);
     }
     in.pairs.pair_force(p, 0) = r.depth;
-    if (in.surface.rim(t) != 0)
+    if (in.surface.rim(t) != 0 && counts)
       Kokkos::atomic_store(&out.signals.value(ContactSignals::rim), Index(1));
     return r.depth;
   }

@@ -21,12 +21,16 @@ struct ContactForceLoop {
     Index next_element[kContactSlots];
     ContactState<D> next[kContactSlots];
     int hits = 0;
+    bool counts = true;  ///< in sums and signals
     Vec<D> force;
   };
 
   KOKKOS_FUNCTION
-  void operator()(Index a, Sums<3>& lost) const {
+  void operator()(Index a, Sums<3>& all_lost) const {
     Point point;
+    Sums<3> elsewhere;
+    point.counts = out.history.counts(a);
+    Sums<3>& lost = point.counts ? all_lost : elsewhere;
     load(a, point);
     const Index still = still_in(a, point);
     for (Index p = in.pairs.pair_begin(a); p < in.pairs.pair_begin(a + 1); ++p) {
@@ -50,6 +54,10 @@ struct ContactForceLoop {
       node[k] = in.surface.nodes(t, k);
       x[k] = row<D>(in.x, node[k]);
     }
+    const int clear = clear_side<D>(x, q);
+    if (clear != 0) return clear > 0;
+    // Families are in the same order on all ranks, copies of nodes are not.
+    for (int k = 0; k <= D && in.family.extent(0) > 0; ++k) node[k] = in.family(node[k]);
     return claims<D>(x, node, q);
   }
 
@@ -182,7 +190,7 @@ struct ContactForceLoop {
     set_row<D>(in.pairs.pair_force, p, r.next.force);
     for (int k = 0; k <= D; ++k) in.pairs.pair_weight(p, k) = l[k];
     book_contact(r, lost);
-    if (in.surface.rim(t) != 0)
+    if (in.surface.rim(t) != 0 && point.counts)
       Kokkos::atomic_store(&out.signals.value(ContactSignals::rim), Index(1));
   }
 
@@ -208,7 +216,7 @@ struct ContactForceLoop {
   KOKKOS_FUNCTION
   void remember(Point& point, Index element, const ContactState<D>& state) const {
     if (point.hits == kContactSlots) {
-      Kokkos::atomic_inc(&out.signals.value(ContactSignals::crowded));
+      if (point.counts) Kokkos::atomic_inc(&out.signals.value(ContactSignals::crowded));
       return;
     }
     point.next_element[point.hits] = element;
@@ -226,7 +234,7 @@ struct ContactForceLoop {
     if (old.phi < 0) return;  // it was apart
     const Vec<D> way = way_past(in, point.element[slot], point.x, point.v);
     book_contact(contact_ended(old, way), lost);
-    if (old.phi - old.offset > 3 * norm(way))
+    if (old.phi - old.offset > 3 * norm(way) && point.counts)
       Kokkos::atomic_inc(&out.signals.value(ContactSignals::lost));
   }
 };

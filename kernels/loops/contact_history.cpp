@@ -84,7 +84,7 @@ double stored_energy(const ContactHistory<D>& history, Index points) {
   const ChunkSums<1> rows("breccia::contact::stored", static_cast<std::size_t>(chunks_of(points)));
   for_each_summed<1>(
       "breccia::contact::stored", points, rows, KOKKOS_LAMBDA(Index a, Sums<1> & sum) {
-        for (int s = 0; s < kContactSlots; ++s)
+        for (int s = 0; s < kContactSlots && history.counts(a); ++s)
           if (history.element(a, s) != kNone)
             sum[0] += history.state(a, s, ContactHistory<D>::stored);
       });
@@ -96,7 +96,7 @@ Index pressing_points(const ContactHistory<D>& history, Index points) {
   return count_where(
       "breccia::contact::count", points, KOKKOS_LAMBDA(Index a) {
         bool any = false;
-        for (int s = 0; s < kContactSlots; ++s)
+        for (int s = 0; s < kContactSlots && history.counts(a); ++s)
           any = any || (history.element(a, s) != kNone &&
                         history.state(a, s, ContactHistory<D>::depth) > 0);
         return any;
@@ -113,7 +113,7 @@ DeepestPoint deepest_point(const ContactHistory<D>& history, const Array<Index>&
   Kokkos::parallel_reduce(
       "breccia::contact::deepest", Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, points),
       KOKKOS_LAMBDA(Index a, Deepest::value_type & best) {
-        for (int s = 0; s < kContactSlots; ++s) {
+        for (int s = 0; s < kContactSlots && history.counts(a); ++s) {
           if (history.element(a, s) == kNone) continue;
           const double share =
               history.state(a, s, ContactHistory<D>::depth) / (D * height(facet(a)));

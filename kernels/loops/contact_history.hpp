@@ -17,6 +17,14 @@ struct ContactHistory {
   Kokkos::View<double* [kContactSlots][kNumbers], Rows, Memory> state;
   /// Slip so far, slip rate, theta (see Rubbed); empty where all friction is Coulomb's.
   Kokkos::View<double* [kContactSlots][3], Rows, Memory> rubbed;
+  // Which points sums and signals count: those whose element has a 1 in `own`; empty: all.
+  Kokkos::View<const Index*, Memory> point;
+  Kokkos::View<const std::uint8_t*, Memory> own;
+
+  KOKKOS_FUNCTION
+  bool counts(Index a) const {
+    return own.extent(0) == 0 || own(point(a) / kFacePoints<D> / (D + 1)) != 0;
+  }
 };
 
 /// Moves the memories of the points of the old list to their places in the new one; both ascend.

@@ -248,16 +248,58 @@ ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
   return {Kokkos::sqrt(way), Kokkos::sqrt(speed), deep};
 }
 
+namespace {
+
+/// 1 / height of a facet, 0 where it does not count.
 template <int D>
-double mean_contact_size(const ContactSurface<D>& surface) {
-  if (surface.facets == 0) return 0;
-  const Array<double> height = surface.height;
-  const ChunkSums<1> rows("breccia::contact::sizes",
-                          static_cast<std::size_t>(chunks_of(surface.facets)));
-  for_each_summed<1>(
-      "breccia::contact::sizes", surface.facets, rows,
-      KOKKOS_LAMBDA(Index i, Sums<1> & sum) { sum[0] += 1 / height(i); });
-  return D * surface.facets / total_of(rows)[0];
+struct InverseSize {
+  ContactSurface<D> surface;
+  Kokkos::View<const std::uint8_t*, Memory> own;
+
+  KOKKOS_FUNCTION
+  double operator()(Index i) const {
+    if (own.extent(0) > 0 && own(surface.facet(i) / (D + 1)) == 0) return 0;
+    return 1 / surface.height(i);
+  }
+};
+
+}  // namespace
+
+template <int D>
+ContactSizes contact_sizes(const ContactSurface<D>& surface,
+                           const Kokkos::View<const std::uint8_t*, Memory>& own) {
+  ContactSizes sizes;
+  if (surface.facets == 0) return sizes;
+  const InverseSize<D> inverse{surface, own};
+  count_launch();
+  Kokkos::parallel_reduce(
+      "breccia::contact::finest",
+      Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, surface.facets),
+      KOKKOS_LAMBDA(Index i, double& finest, std::int64_t& count) {
+        const double size = inverse(i);
+        finest = size > finest ? size : finest;
+        count += size > 0 ? 1 : 0;
+      },
+      Kokkos::Max<double>(sizes.finest), Kokkos::Sum<std::int64_t>(sizes.facets));
+  return sizes;
+}
+
+template <int D>
+std::int64_t sum_of_inverse_sizes(const ContactSurface<D>& surface,
+                                  const Kokkos::View<const std::uint8_t*, Memory>& own,
+                                  double grain) {
+  std::int64_t sum = 0;
+  if (surface.facets == 0) return sum;
+  const InverseSize<D> inverse{surface, own};
+  count_launch();
+  Kokkos::parallel_reduce(
+      "breccia::contact::sizes",
+      Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, surface.facets),
+      KOKKOS_LAMBDA(Index i, std::int64_t& part) {
+        part += static_cast<std::int64_t>(inverse(i) / grain);
+      },
+      sum);
+  return sum;
 }
 
 template <int D>
@@ -291,8 +333,14 @@ template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVectors<2>
 template ContactWay contact_way<3>(const ConstVectors<3>&, const ConstVectors<3>&,
                                    const ContactNodes<3>&,
                                    const Kokkos::View<const Index, Memory>&);
-template double mean_contact_size<2>(const ContactSurface<2>&);
-template double mean_contact_size<3>(const ContactSurface<3>&);
+template ContactSizes contact_sizes<2>(const ContactSurface<2>&,
+                                       const Kokkos::View<const std::uint8_t*, Memory>&);
+template ContactSizes contact_sizes<3>(const ContactSurface<3>&,
+                                       const Kokkos::View<const std::uint8_t*, Memory>&);
+template std::int64_t sum_of_inverse_sizes<2>(
+    const ContactSurface<2>&, const Kokkos::View<const std::uint8_t*, Memory>&, double);
+template std::int64_t sum_of_inverse_sizes<3>(
+    const ContactSurface<3>&, const Kokkos::View<const std::uint8_t*, Memory>&, double);
 template void search_contacts<2>(const ContactSurface<2>&, double, ContactSearchScratch<2>&,
                                  ContactPairs<2>&);
 template void search_contacts<3>(const ContactSurface<3>&, double, ContactSearchScratch<3>&,

@@ -51,10 +51,21 @@ template <int D>
 ContactWay contact_way(const ConstVectors<D>& x, const ConstVectors<D>& v,
                        const ContactNodes<D>& list, const Kokkos::View<const Index, Memory>& rim);
 
-/// Harmonic mean of the sizes of the elements behind the surface, m: many small ones count, a few
-/// do not.
+/// What the harmonic mean of the sizes of the elements behind the surface is made of: many small
+/// ones count, a few do not. Counted are facets whose element has a 1 in `own`; empty: all.
+struct ContactSizes {
+  double finest = 0;        ///< 1/m, largest inverse height
+  std::int64_t facets = 0;  ///< how many count
+};
 template <int D>
-double mean_contact_size(const ContactSurface<D>& surface);
+ContactSizes contact_sizes(const ContactSurface<D>& surface,
+                           const Kokkos::View<const std::uint8_t*, Memory>& own);
+/// Sum of the inverse heights in units of `grain`, 1/m: of integers, so that it does not depend on
+/// who adds up what.
+template <int D>
+std::int64_t sum_of_inverse_sizes(const ContactSurface<D>& surface,
+                                  const Kokkos::View<const std::uint8_t*, Memory>& own,
+                                  double grain);
 
 /// All pairs (contact point, target) whose distance at `surface.place` is at most `skin`, without
 /// targets that share a node with the point's face or belong to its piece, if that cannot touch
@@ -79,8 +90,14 @@ extern template ContactWay contact_way<2>(const ConstVectors<2>&, const ConstVec
 extern template ContactWay contact_way<3>(const ConstVectors<3>&, const ConstVectors<3>&,
                                           const ContactNodes<3>&,
                                           const Kokkos::View<const Index, Memory>&);
-extern template double mean_contact_size<2>(const ContactSurface<2>&);
-extern template double mean_contact_size<3>(const ContactSurface<3>&);
+extern template ContactSizes contact_sizes<2>(const ContactSurface<2>&,
+                                              const Kokkos::View<const std::uint8_t*, Memory>&);
+extern template ContactSizes contact_sizes<3>(const ContactSurface<3>&,
+                                              const Kokkos::View<const std::uint8_t*, Memory>&);
+extern template std::int64_t sum_of_inverse_sizes<2>(
+    const ContactSurface<2>&, const Kokkos::View<const std::uint8_t*, Memory>&, double);
+extern template std::int64_t sum_of_inverse_sizes<3>(
+    const ContactSurface<3>&, const Kokkos::View<const std::uint8_t*, Memory>&, double);
 extern template void search_contacts<2>(const ContactSurface<2>&, double, ContactSearchScratch<2>&,
                                         ContactPairs<2>&);
 extern template void search_contacts<3>(const ContactSurface<3>&, double, ContactSearchScratch<3>&,

@@ -127,7 +127,9 @@ Index find_ring(const ContactSurfaceIn<D>& in, ContactScratch<D>& scratch,
   }
   const auto deepest = static_cast<std::uint8_t>(in.layers + 1);
   last = count_where(
-      "breccia::contact::ring", in.nodes, KOKKOS_LAMBDA(Index n) { return level(n) == deepest; });
+      "breccia::contact::ring", in.nodes, KOKKOS_LAMBDA(Index n) {
+        return level(n) == deepest && (in.mass.extent(0) == 0 || in.mass(n) > 0);
+      });
   ring_nodes = list_where(
       "breccia::contact::ring", in.nodes, KOKKOS_LAMBDA(Index n) { return level(n) != kFarLevel; },
       scratch.ring);

@@ -17,6 +17,8 @@ struct ContactSurfaceIn {
   ConstRanges face_elements;
   std::uint8_t released = 2, inserted = 1;    ///< status of a broken face, and of one that may yet
   Kokkos::View<const double*, Memory> share;  ///< below 1: being excavated, no target; empty: all
+  Kokkos::View<const double*, Memory> mass;  ///< of nodes; only those with mass tell whether deeper
+                                             ///< elements exist; empty: all
   double thickness = 1;
   Index layers = 2;  ///< elements behind the surface that are targets, besides the first
 };

@@ -40,6 +40,7 @@ struct ElementForceIn {
   double thickness;          ///< m, 1 in 3D
   double smallest_jacobian;  ///< elements below it are reported
   StressWatch<D> watch;
+  Kokkos::View<const std::uint8_t*, Memory> own;  ///< 1 where sums count it; empty: everywhere
 };
 
 template <int D>

@@ -33,7 +33,10 @@ struct GroupLanes {
   static constexpr int W = lanes<R>();
   static constexpr int kGroup = Group;
   Index begin, first, groups;
+  const std::uint8_t* own;  ///< per element: 1 where sums count it; null: everywhere
 
+  KOKKOS_FORCEINLINE_FUNCTION
+  bool counts(int lane) const { return own == nullptr || own[element(lane, 0)] != 0; }
   KOKKOS_FORCEINLINE_FUNCTION
   int count() const { return first + W <= groups ? W : static_cast<int>(groups - first); }
   KOKKOS_FORCEINLINE_FUNCTION

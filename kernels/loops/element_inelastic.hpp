@@ -140,7 +140,7 @@ struct InelasticResponse {
       EosState now = read(lanes.element(l, 0));
       state.eos.advance(now, density / j[l], w[l]);
       for (int s = 0; s < group; ++s) write(lanes.element(l, s), now);
-      sums[element_sum::stored] += m[l] * (now.e - state.eos.energy0);
+      if (lanes.counts(l)) sums[element_sum::stored] += m[l] * (now.e - state.eos.energy0);
       stiff[l] = j[l] * (state.eos.bulk_modulus(now.rho, now.e, now.alpha) + 4.0 / 3 * law.shear);
       j[l] = now.p;
     }
@@ -232,7 +232,7 @@ struct InelasticResponse {
       const Index e = lanes.element(l, sub);
       for (int k = 0; k < Law::kHistory; ++k) state.history(e, k) = back.history[l][k];
       work[l] = back.of[l].work;
-      sums[element_sum::plastic] += work[l] * volume[l];
+      if (lanes.counts(l)) sums[element_sum::plastic] += work[l] * volume[l];
       less[l] = lost;
       growth[l] = more;
       if (lost == 0 && more == 0)
@@ -306,7 +306,7 @@ struct InelasticResponse {
         for (int j = 0; j < D; ++j) deformation(i, j) = f[i][j][l];
       work[l] = flow_one(lanes.element(l, sub), deformation, add[l], e);
       for (int i = 0; i < kSize; ++i) trial[i][l] = e[i];
-      sums[element_sum::plastic] += work[l] * volume[l];
+      if (lanes.counts(l)) sums[element_sum::plastic] += work[l] * volume[l];
     }
     for (int i = 0; i < kSize; ++i) eps[i] = load<R>(trial[i]);
     shape.work = load<R>(work);

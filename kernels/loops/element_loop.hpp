@@ -28,7 +28,7 @@ struct ElementLoop {
   /// Groups first ... first + W - 1 of the block.
   KOKKOS_FUNCTION
   void operator()(Index first, Totals& sums) const {
-    const Lanes lanes{in.begin, first, (in.end - in.begin) / Group};
+    const Lanes lanes{in.begin, first, (in.end - in.begin) / Group, in.own.data()};
     Vec<D, R> x[kNodes];
     Shapes shape;
     GroupVolume<R> volume{R(0), R(0), R(0), R(0)};
@@ -204,7 +204,7 @@ struct ElementLoop {
     double power[W];
     store(heat, power);
     for (int l = 0; l < lanes.count(); ++l)
-      sums[element_sum::shock] += power[l] * (in.thickness / kFactorial<D> * in.kick);
+      if (lanes.counts(l)) sums[element_sum::shock] += power[l] * (in.thickness / kFactorial<D> * in.kick);
   }
 
   KOKKOS_FORCEINLINE_FUNCTION
@@ -271,8 +271,9 @@ struct ElementLoop {
       store(contract(viscous[s], d[s]), power);
       store(shape[s].det / shape[s].jacobian, reference_volume);
       for (int l = 0; l < lanes.count(); ++l)
-        sums[element_sum::viscous] +=
-            power[l] * reference_volume[l] * (in.thickness / kFactorial<D> * in.kick);
+        if (lanes.counts(l))
+          sums[element_sum::viscous] +=
+              power[l] * reference_volume[l] * (in.thickness / kFactorial<D> * in.kick);
     }
     if (Group > 1 && !in.flat) share_mean<D, Group>(volume, shape, viscous);
     for (int s = 0; s < Group; ++s) tau[s] += viscous[s];

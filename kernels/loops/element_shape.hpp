@@ -87,7 +87,8 @@ KOKKOS_FORCEINLINE_FUNCTION
 void book_stored(const Lanes& lanes, const R& energy, Sums<element_sum::count>& sums) {
   double e[Lanes::W];
   store(energy, e);
-  for (int l = 0; l < lanes.count(); ++l) sums[element_sum::stored] += e[l];
+  for (int l = 0; l < lanes.count(); ++l)
+    if (lanes.counts(l)) sums[element_sum::stored] += e[l];
 }
 
 }  // namespace breccia

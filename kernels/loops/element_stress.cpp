@@ -17,7 +17,7 @@ struct StrainEnergy {
 
   KOKKOS_FUNCTION
   void operator()(Index first, Sums<1>& sum) const {
-    const GroupLanes<Group, R> lanes{begin, first, groups};
+    const GroupLanes<Group, R> lanes{begin, first, groups, in.own.data()};
     Vec<D, R> x[kGroupNodes<D, Group>];
     lanes.template gather<D>(in.nodes, in.x, x);
     FullSym<D, R> eps[Group];
@@ -45,7 +45,8 @@ struct StrainEnergy {
     }
     double e[W];
     store(energy, e);
-    for (int l = 0; l < lanes.count(); ++l) sum[0] += e[l];
+    for (int l = 0; l < lanes.count(); ++l)
+      if (lanes.counts(l)) sum[0] += e[l];
   }
 };
 

@@ -18,6 +18,7 @@ struct ElementStress {
   bool flat = false;           ///< plane stress
   ConstFullTensors<D> stored;  ///< Cauchy stress as the element loop left it; empty: computed anew
   Kokkos::View<const double*, Memory> share;  ///< of its stress that an element carries, or empty
+  Kokkos::View<const std::uint8_t*, Memory> own;  ///< 1 where sums count it; empty: everywhere
 
   KOKKOS_FUNCTION
   HenckyElastic law(Index e) const { return {lame(material(e), 0), lame(material(e), 1)}; }

@@ -36,8 +36,9 @@ struct InsertionLoop {
     for (int c = 0; c < D; ++c) {
       out.active(i, c) = 0;
       for (int d = 0; d < D; ++d) out.force(i, c, d) = 0;
-      const auto at = in.faces.left(face, c);
-      raise(out.touched, in.family(in.element_nodes(at.element, at.node)));
+      // Both sides are of one family, but at the rim of what a rank knows (mesh/part.hpp).
+      for (const auto& at : {in.faces.left(face, c), in.faces.right(face, c)})
+        raise(out.touched, in.family(in.element_nodes(at.element, at.node)));
     }
   }
 };

@@ -29,7 +29,7 @@ struct FaultForceLoop {
       const Vec<D> force = frame.to_global(t) * (record.area / D);
       for (int d = 0; d < D; ++d) out.force(i, c, d) = force[d];
     }
-    aged += leave(i, law, gap, record.area);
+    if (in.knows(record.face)) aged += leave(i, law, gap, record.area);
   }
 
  private:

@@ -54,11 +54,13 @@ struct EnergyLoop {
   ConstCornerStates<D> state;
   ConstFaultStates<D> fault;
   ConstCornerEnergies<D> energy;
-  ConstArray<std::uint8_t> kind;
+  ConstArray<std::uint8_t> kind, own;
 
   KOKKOS_FUNCTION
-  void operator()(Index i, Sums<6>& sum) const {
+  void operator()(Index i, Sums<7>& sum) const {
     const InterfaceRecord& r = map.record(i);
+    if (own.extent(0) > 0 && own(map.faces.elements(r.face, 0)) == 0) return;
+    sum[6] += 1;
     const double area = r.area / D;
     for (int c = 0; c < D; ++c) {
       if (map.active(i, c) == 0) continue;
@@ -99,12 +101,13 @@ template <int D>
 InterfaceSums InterfaceBooks<D>::energies(const ConstCornerStates<D>& state,
                                           const ConstFaultStates<D>& fault,
                                           const ConstCornerEnergies<D>& energy,
-                                          const ConstArray<std::uint8_t>& kind, Index count) const {
-  const ChunkSums<6> rows("breccia::fracture::energies", chunks_of(count));
-  for_each_summed<6>("breccia::fracture::energies", count, rows,
-                     EnergyLoop<D>{map, state, fault, energy, kind});
-  const Sums<6> s = total_of(rows);
-  return {s[0], s[1], s[2], s[3], s[4], s[5]};
+                                          const ConstArray<std::uint8_t>& kind,
+                                          const ConstArray<std::uint8_t>& own, Index count) const {
+  const ChunkSums<7> rows("breccia::fracture::energies", chunks_of(count));
+  for_each_summed<7>("breccia::fracture::energies", count, rows,
+                     EnergyLoop<D>{map, state, fault, energy, kind, own});
+  const Sums<7> s = total_of(rows);
+  return {s[0], s[1], s[2], s[3], s[4], s[5], s[6]};
 }
 
 template struct InterfaceBooks<2>;

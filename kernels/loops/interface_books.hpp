@@ -13,6 +13,7 @@ inline constexpr std::uint8_t linear = 0, z_curve = 1, fault = 2;
 struct InterfaceSums {
   double stored = 0, tension = 0, shear = 0, friction = 0, viscous = 0;
   double broken_area = 0;
+  double count = 0;  ///< of the interfaces
 };
 
 /// Stiffness and energies of the inserted faces.
@@ -27,10 +28,11 @@ struct InterfaceBooks {
                  const Array<double>& stiffness) const;
 
   /// Energies of interfaces [0, count), in a fixed order. `kind`: per law. What was broken before
-  /// the start counts to no area.
+  /// the start counts to no area. `own`: per element; only faces count whose left element has a 1
+  /// there; empty: all.
   InterfaceSums energies(const ConstCornerStates<D>& state, const ConstFaultStates<D>& fault,
                          const ConstCornerEnergies<D>& energy, const ConstArray<std::uint8_t>& kind,
-                         Index count) const;
+                         const ConstArray<std::uint8_t>& own, Index count) const;
 };
 
 extern template struct InterfaceBooks<2>;

@@ -57,6 +57,19 @@ Index InterfaceBreaks<D>::find(const Array<Index>& broken) const {
 }
 
 template <int D>
+Index InterfaceBreaks<D>::keep_own(const Array<Index>& broken, Index n,
+                                   const ConstArray<std::uint8_t>& own,
+                                   const Array<Index>& counted) const {
+  const InterfaceMap<D> m = map;
+  return scan(
+      "breccia::fracture::own_breaks", n, KOKKOS_LAMBDA(Index k, Index & at, bool last) {
+        if (own(m.faces.elements(m.record(broken(k)).face, 0)) == 0) return;
+        if (last) counted(at) = broken(k);
+        ++at;
+      });
+}
+
+template <int D>
 Index InterfaceBreaks<D>::leaving() const {
   const InterfaceMap<D> m = map;
   return scan(
@@ -82,8 +95,9 @@ void retire_interfaces(Index count, const RetireIn<D>& in) {
         in.life(i) = interface_life::gone;
         for (int c = 0; c < D; ++c) {
           for (int d = 0; d < D; ++d) in.force(i, c, d) = 0;
-          const auto at = in.faces.left(in.record(i).face, c);
-          raise(in.touched, in.family(in.nodes(at.element, at.node)));
+          const Index face = in.record(i).face;
+          for (const auto& at : {in.faces.left(face, c), in.faces.right(face, c)})
+            raise(in.touched, in.family(in.nodes(at.element, at.node)));
         }
       });
 }

@@ -13,6 +13,11 @@ struct InterfaceBreaks {
   /// Interfaces whose corners have all broken since the last call, into `broken`; returns how many.
   Index find(const Array<Index>& broken) const;
 
+  /// Those of the n listed ones whose left element has a 1 in `own`, into `counted`; returns how
+  /// many.
+  Index keep_own(const Array<Index>& broken, Index n, const ConstArray<std::uint8_t>& own,
+                 const Array<Index>& counted) const;
+
   /// How many leave after this step.
   Index leaving() const;
 

@@ -34,7 +34,7 @@ struct InterfaceForceLoop {
       for (int d = 0; d < D; ++d) out.force(i, c, d) = force[d];
       broken = broken && state.damage >= 1;
     }
-    if (broken) aged += age(i, gap, record.area);
+    if (broken && in.knows(record.face)) aged += age(i, gap, record.area);
   }
 
  private:

@@ -16,6 +16,10 @@ struct InterfaceForceIn {
   double rate;        ///< one over the last step, 1/s; 0 in the first
   bool leave_broken;  ///< contact takes broken faces over
   double thickness;   ///< m, 1 in 3D
+  ConstArray<std::uint8_t> sure;  ///< per face: 1 where all its corners are known; empty: all
+
+  KOKKOS_FUNCTION
+  bool knows(Index face) const { return sure.extent(0) == 0 || sure(face) != 0; }
 };
 
 /// Middle surface of an interface and the jump from its left to its right corners, m.

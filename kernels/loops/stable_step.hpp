@@ -41,6 +41,7 @@ struct StableStep {
   bool by_springs = false;
   /// Largest rate of deformation of an element, 1/s, where the shapes were looked at; else 0.
   double strain_rate = 0;
+  int rank = 0;  ///< whose node it is
 };
 
 template <int D>

@@ -123,11 +123,13 @@ struct RelabelLoop {
     for (Index k = begin; k < end;) {
       const Index node = map.node(map.corner_list(k));
       map.node_corners(node, 0) = k;
+      // Without mass before: the node of another rank, or of elements that are gone.
+      const bool heavy = node_mass(node) > 0;
       double mass = 0;
       for (; k < end && map.node(map.corner_list(k)) == node; ++k)
         mass += corner_mass(map.element(map.corner_list(k)));
       map.node_corners(node, 1) = k;
-      node_mass(node) = mass;
+      if (heavy) node_mass(node) = mass;
       flags(node) |= bit;
     }
   }

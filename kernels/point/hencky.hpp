@@ -100,16 +100,20 @@ KOKKOS_FORCEINLINE_FUNCTION
 Sym<3, R> strain_of(const Sym<3, R>& x, const Sym<3, R>& b) {
   const Sym<3, R> y = commuting_product(x, x);
   Sym<3, R> eps = commuting_product(x, series_factor(y));
-  if (any(!(trace(y) <= R(kReach)))) {
-    double lanes_of_b[6][lanes<R>()];
+  const R size = trace(y);
+  if (any(!(size <= R(kReach)))) {
+    double lanes_of_b[6][lanes<R>()], lanes_of_eps[6][lanes<R>()], sizes[lanes<R>()];
+    store(size, sizes);
     for (int i = 0; i < 6; ++i) store(b.s[i], lanes_of_b[i]);
+    for (int i = 0; i < 6; ++i) store(eps.s[i], lanes_of_eps[i]);
     for (int l = 0; l < lanes<R>(); ++l) {
+      if (sizes[l] <= static_cast<Lane<R>>(kReach)) continue;
       Sym<3> one;
       for (int i = 0; i < 6; ++i) one.s[i] = lanes_of_b[i][l];
       one = by_eigenvalues(one);
-      for (int i = 0; i < 6; ++i) lanes_of_b[i][l] = one.s[i];
+      for (int i = 0; i < 6; ++i) lanes_of_eps[i][l] = one.s[i];
     }
-    for (int i = 0; i < 6; ++i) eps.s[i] = load<R>(lanes_of_b[i]);
+    for (int i = 0; i < 6; ++i) eps.s[i] = load<R>(lanes_of_eps[i]);
   }
   return eps;
 }

@@ -110,21 +110,30 @@ Sym<3, R> second_piola(const Sym<3, R>& t, const Sym<3, R>& c, const R& /*jacobi
     Sym<3, R> four = hencky::both_ways(commuting_product(y, y), t);
     four += hencky::sandwich(x, yt);
     four += hencky::sandwich(y, t);
-    sum += four * R(0.2);
+    double sizes[lanes<R>()];
+    store(size, sizes);
+    // Lanes that do not need the terms go without them, whatever their neighbours need.
+    const R weight = fill<R>(
+        [&](int l) { return static_cast<Lane<R>>(hencky::kReachTwo) < sizes[l] ? 0.2 : 0.0; });
+    sum += four * weight;
   }
   Sym<3, R> s = hencky::sandwich(inverse, sum) * R(4);
   if (any(!(size <= R(hencky::kReachFour)))) {
-    double lanes_of_t[6][lanes<R>()], lanes_of_c[6][lanes<R>()];
+    double lanes_of_t[6][lanes<R>()], lanes_of_c[6][lanes<R>()], lanes_of_s[6][lanes<R>()];
+    double sizes[lanes<R>()];
+    store(size, sizes);
     for (int i = 0; i < 6; ++i) store(t.s[i], lanes_of_t[i]);
     for (int i = 0; i < 6; ++i) store(c.s[i], lanes_of_c[i]);
+    for (int i = 0; i < 6; ++i) store(s.s[i], lanes_of_s[i]);
     for (int l = 0; l < lanes<R>(); ++l) {
+      if (sizes[l] <= static_cast<Lane<R>>(hencky::kReachFour)) continue;
       Sym<3> one, metric;
       for (int i = 0; i < 6; ++i) one.s[i] = lanes_of_t[i][l];
       for (int i = 0; i < 6; ++i) metric.s[i] = lanes_of_c[i][l];
       one = hencky::second_piola_by_eigenvalues(one, metric);
-      for (int i = 0; i < 6; ++i) lanes_of_t[i][l] = one.s[i];
+      for (int i = 0; i < 6; ++i) lanes_of_s[i][l] = one.s[i];
     }
-    for (int i = 0; i < 6; ++i) s.s[i] = load<R>(lanes_of_t[i]);
+    for (int i = 0; i < 6; ++i) s.s[i] = load<R>(lanes_of_s[i]);
   }
   return s;
 }

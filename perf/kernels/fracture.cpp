@@ -43,7 +43,7 @@ double stored(const Model<D>& model) {
   const Store& s = model.store;
   return InterfaceBooks<D>{interface_map<D>(s)}
       .energies(s.get<InterfaceStates<D>>(), FaultStates<D>{}, s.get<InterfaceEnergies<D>>(),
-                Array<std::uint8_t>("breccia::perf::law_kind", 1), s.count(Entity::interface))
+                Array<std::uint8_t>("breccia::perf::law_kind", 1), {}, s.count(Entity::interface))
       .stored;
 }
 

@@ -12,7 +12,9 @@
 #include <Kokkos_Core.hpp>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -37,11 +39,16 @@ struct Arguments {
   int repeats = 0, jobs = 1;
   bool overwrite = false, restart = false, quiet = false, markdown = false;
   bool list = false, solutions = false;
+  const World* world = nullptr;
+  bool many_ranks = false;  ///< the command can use them
 };
 
 int with_kokkos(const Arguments& arguments, const std::function<int()>& work) {
   Kokkos::InitializationSettings settings;
-  if (arguments.threads > 0) settings.set_num_threads(arguments.threads);
+  if (arguments.threads > 0)
+    settings.set_num_threads(arguments.threads);
+  else if (arguments.world->size() > 1 && std::getenv("OMP_NUM_THREADS") == nullptr)
+    settings.set_num_threads(arguments.world->cores());
   settings.set_disable_warnings(true);  // they speak of OMP_PROC_BIND to people who do not know it
   const Kokkos::ScopeGuard kokkos(settings);
   return work();
@@ -71,7 +78,8 @@ int run(const Arguments& a) {
                 "--restart goes on from the checkpoint, --overwrite begins anew");
   }
   log::set_quiet(a.quiet);
-  const RunRequest request{a.scene, a.options, a.output, a.overwrite, a.restart, a.quiet};
+  const RunRequest request{a.scene,   a.options, a.output, a.overwrite,
+                           a.restart, a.quiet,   a.world};
   return with_kokkos(a, [&request] { return run_scene(request); });
 }
 
@@ -127,7 +135,10 @@ void declare_run_verb(CLI::App& app, Arguments& a, std::function<int(const Argum
   verb->add_flag("--overwrite", a.overwrite, "replace the results of an earlier run");
   verb->add_flag("--restart", a.restart, "go on from the checkpoint in the output folder");
   verb->add_flag("--quiet", a.quiet, "print warnings and errors only");
-  verb->callback([&chosen] { chosen = run; });
+  verb->callback([&chosen, &a] {
+    chosen = run;
+    a.many_ranks = true;
+  });
 }
 
 void declare_study_verb(CLI::App& app, Arguments& a, std::function<int(const Arguments&)>& chosen) {
@@ -184,26 +195,36 @@ int parse_failed(const CLI::App& app, const CLI::ParseError& e, const World& wor
   return user_error;
 }
 
+/// Seconds that a rank which fails waits for the others to fail, too.
+constexpr double kPatience = 3;
+
+/// One message where all ranks fail for the same reason; where only one has failed, its own, and
+/// the end of all of them.
+int fail(const World& world, int status, const std::string& text) {
+  const bool all = world.together(kPatience);
+  log::set_silent(all && !world.speaks());
+  log::error(all ? text : fmt::format("rank {}: {}", world.rank(), text));
+  if (!all) world.abort(status);
+  return status;
+}
+
 int guarded(const std::function<int()>& work, const World& world) {
-  const auto say = [&world](const std::string& text) {
-    if (world.speaks()) log::error(text);
-  };
   try {
     return work();
   } catch (const Error& e) {
-    say(e.what());
-    return user_error;
+    return fail(world, user_error, e.what());
   } catch (const std::filesystem::filesystem_error& e) {
-    say(Error(e.path1().string(), e.code().message()).what());
-    return user_error;
+    return fail(world, user_error, Error(e.path1().string(), e.code().message()).what());
   } catch (const std::bad_alloc&) {
-    say("out of memory\n  use fewer elements, or a machine with more memory; breccia check tells "
-        "how much a scene needs");
-    return stopped;
+    return fail(world, stopped,
+                "out of memory\n  use fewer elements, or a machine with more memory; breccia "
+                "check tells how much a scene needs");
   } catch (const std::exception& e) {
-    say(std::string("internal error: ") + e.what() + "\n  this is a defect of breccia; please " +
-        "report it with the scene and this line: " + version_line());
-    return stopped;
+    return fail(world, stopped,
+                std::string("internal error: ") + e.what() +
+                    "\n  this is a defect of breccia; please report it with the scene and this "
+                    "line: " +
+                    version_line());
   }
 }
 
@@ -215,6 +236,7 @@ int run_command_line(int argc, char** argv, const World& world) {
   app.set_version_flag("--version", version_line());
   Arguments arguments;
   arguments.program = argv[0];
+  arguments.world = &world;
   std::function<int(const Arguments&)> chosen;
   declare_verbs(app, arguments, chosen);
   try {
@@ -224,7 +246,8 @@ int run_command_line(int argc, char** argv, const World& world) {
   }
   return guarded(
       [&] {
-        world.require_one_rank();
+        if (!arguments.many_ranks) world.require_one_rank();
+        log::set_silent(!world.speaks());
         return chosen(arguments);
       },
       world);

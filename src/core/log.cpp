@@ -12,9 +12,10 @@ namespace log {
 
 namespace {
 
-bool is_quiet = false;
+bool is_quiet = false, is_silent = false;
 
 void put(std::FILE* file, std::string_view front, std::string_view text) {
+  if (is_silent) return;
   std::fwrite(front.data(), 1, front.size(), file);
   std::fwrite(text.data(), 1, text.size(), file);
   std::fputc('\n', file);
@@ -27,14 +28,17 @@ void set_quiet(bool quiet) {
   is_quiet = quiet;
 }
 bool quiet() {
-  return is_quiet;
+  return is_quiet || is_silent;
+}
+void set_silent(bool silent) {
+  is_silent = silent;
 }
 bool on_terminal() {
   return isatty(STDOUT_FILENO) != 0;
 }
 
 void info(std::string_view line) {
-  if (!is_quiet) put(stdout, "", line);
+  if (!quiet()) put(stdout, "", line);
 }
 void warning(std::string_view line) {
   std::fflush(stdout);

@@ -11,6 +11,8 @@ namespace log {
 /// Silences everything but warnings.
 void set_quiet(bool quiet);
 [[nodiscard]] bool quiet();
+/// Silences everything: of many ranks one speaks.
+void set_silent(bool silent);
 [[nodiscard]] bool on_terminal();
 
 void info(std::string_view line);     ///< to standard output

@@ -10,7 +10,7 @@ namespace breccia {
 template <int D>
 struct ElementCauchy {
   using View = FullTensors<D>;
-  static constexpr FieldInfo info{"element_cauchy", Entity::element, "Pa", Restart::no,
+  static constexpr FieldInfo info{"element_cauchy", Entity::element, "Pa", Restart::yes,
                                   "Cauchy stress at t^n"};
 };
 

@@ -100,6 +100,23 @@ void append(Mesh<D>& mesh, const Mesh<D>& more) {
   }
 }
 
+template <int D>
+double extent_of(const Mesh<D>& mesh) {
+  if (mesh.whole_extent > 0) return mesh.whole_extent;
+  double largest = 0;
+  for (int d = 0; d < D; ++d) {
+    double low = mesh.point.front()[d], high = low;
+    for (const Point<D>& p : mesh.point) {
+      low = std::min(low, p[d]);
+      high = std::max(high, p[d]);
+    }
+    largest = std::max(largest, high - low);
+  }
+  return largest;
+}
+
+template double extent_of<2>(const Mesh<2>&);
+template double extent_of<3>(const Mesh<3>&);
 template const Region* find_region<2>(const Mesh<2>&, const std::string&);
 template const Region* find_region<3>(const Mesh<3>&, const std::string&);
 template Index find_body<2>(const Mesh<2>&, const std::string&);

@@ -70,11 +70,18 @@ struct Mesh {
   std::vector<int> group_size = {};
   /// By name, from mesh files; the parts of a composite have those of the whole.
   ElementFields fields = {};
+  /// Of a part of a larger mesh (mesh/part.hpp): regions may be empty.
+  bool partial = false;
+  double whole_extent = 0;  ///< m, extent_of the mesh that it is a part of; 0: it is the whole
 
   Index points() const { return static_cast<Index>(point.size()); }
   Index elements() const { return static_cast<Index>(element.size()); }
   int group_of_body(Index b) const { return group_size.empty() ? 1 : group_size[b]; }
 };
+
+/// The longest side of the box around the whole mesh, m.
+template <int D>
+double extent_of(const Mesh<D>& mesh);
 
 /// The region of that name, or nullptr.
 template <int D>

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/schema.hpp"
+#include "core/world.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -16,6 +17,7 @@ struct RunRequest {
   bool overwrite = false;
   bool restart = false;
   bool quiet = false;
+  const World* world = nullptr;  ///< the ranks that run it together; none: this one
 };
 
 /// What `breccia check` was asked for.

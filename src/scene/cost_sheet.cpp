@@ -2,7 +2,6 @@
 
 #include "core/build_info.hpp"
 #include "scene/catalog.hpp"
-#include "scene/state_file.hpp"
 
 #include <sys/resource.h>
 
@@ -62,10 +61,6 @@ Report make_report(Simulation<D>& simulation, const Recorder<D>& recorder, const
   report.threads = Exec().concurrency();
   report.backend = Exec::name();
   report.precision = scene.at("run").text("precision");
-  report.elements = simulation.model().elements();
-  report.nodes = simulation.model().nodes();
-  report.element_steps_per_second = static_cast<double>(report.elements) *
-                                    static_cast<double>(report.steps) / outcome.wall_seconds;
   const StepRecord& step = simulation.step_record();
   report.time_step.min = step.min;
   report.time_step.max = step.max;
@@ -74,7 +69,6 @@ Report make_report(Simulation<D>& simulation, const Recorder<D>& recorder, const
   report.time_step.added_mass = simulation.model().added_mass;
   const Counts counts = simulation.counts();
   report.interfaces = {counts.bonded, counts.inserted, counts.released};
-  report.fragments = static_cast<std::int64_t>(recorder.last_fragments());
   const Rest& rest = simulation.model().rest;
   report.rest.wanted = rest.wanted;
   report.rest.reached = rest.reached;
@@ -90,7 +84,6 @@ Report make_report(Simulation<D>& simulation, const Recorder<D>& recorder, const
   report.res_2 = ledger.residual_2();
   add_effects(simulation, simulation.plan().costs(), report);
   report.peak_memory_bytes = peak_memory_bytes();
-  report.state_hash = state_hash(simulation);
   const BuildInfo& build = build_info();
   report.version = {std::string(build.version), std::string(build.commit),
                     std::string(build.compiler) + " " + std::string(build.build_type)};

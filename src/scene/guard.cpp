@@ -50,7 +50,7 @@ std::string text_of(const Vec<D>& place) {
 
 template <int D>
 Guard<D>::Guard(Simulation<D>& simulation, const Settings& run)
-    : simulation_(simulation),
+    : simulation_(&simulation),
       most_made_(run.at("guard").number("energy")),
       most_overlap_(run.at("guard").number("overlap")),
       every_(run.at("guard").integer("every")),
@@ -58,23 +58,23 @@ Guard<D>::Guard(Simulation<D>& simulation, const Settings& run)
 
 template <int D>
 bool Guard<D>::due() const {
-  return every_ > 0 && simulation_.clock().step > 0 && simulation_.clock().step % every_ == 0;
+  return every_ > 0 && simulation_->clock().step > 0 && simulation_->clock().step % every_ == 0;
 }
 
 template <int D>
 void Guard<D>::before() {
   now_ = Ledger{};
-  simulation_.book_before(now_);
+  simulation_->book_before(now_);
   overlap_ = Overlap{};
-  for (const auto& module : simulation_.modules()) {
-    const Overlap found = module->deepest_overlap(simulation_.model());
+  for (const auto& module : simulation_->modules()) {
+    const Overlap found = module->deepest_overlap(simulation_->model());
     if (found.share > overlap_.share) overlap_ = found;
   }
 }
 
 template <int D>
 void Guard<D>::after() {
-  simulation_.book_after(now_);
+  simulation_->book_after(now_);
   ++seen_.looks;
   judge_energy();
   judge_overlap();
@@ -109,20 +109,20 @@ void Guard<D>::judge_overlap() {
 
 template <int D>
 void Guard<D>::stop(const std::string& what, const std::string& remedy) {
-  Stop& stop = simulation_.model().stop;
+  Stop& stop = simulation_->model().stop;
   if (stop.raised) return;
   stop.raised = true;
-  stop.cause = fmt::format("at time {:.6g} s (step {}) {}; {}; {}", simulation_.clock().time,
-                           simulation_.clock().step, what, fastest_node(), remedy);
+  stop.cause = fmt::format("at time {:.6g} s (step {}) {}; {}; {}", simulation_->clock().time,
+                           simulation_->clock().step, what, fastest_node(), remedy);
 }
 
 template <int D>
 std::string Guard<D>::fastest_node() const {
-  const Store& store = simulation_.model().store;
+  const Store& store = simulation_->model().store;
   const auto x = host_copy<NodePosition<D>>(store);
   const auto v = host_copy<NodeVelocity<D>>(store);
   Index fastest = 0;
-  for (Index n = 0; n < simulation_.model().nodes(); ++n)
+  for (Index n = 0; n < simulation_->model().nodes(); ++n)
     if (!(norm2(row<D>(v, n)) <= norm2(row<D>(v, fastest)))) fastest = n;
   return fmt::format("the fastest node, {:.4g} m/s, is at {}", norm(row<D>(v, fastest)),
                      text_of<D>(row<D>(x, fastest)));
@@ -130,7 +130,7 @@ std::string Guard<D>::fastest_node() const {
 
 template <int D>
 std::string Guard<D>::place_of(Index element) const {
-  const Store& store = simulation_.model().store;
+  const Store& store = simulation_->model().store;
   const auto x = host_copy<NodePosition<D>>(store);
   const auto nodes = host_copy<ElementNodes<D>>(store);
   Vec<D> centre = Vec<D>::zero();
@@ -150,7 +150,7 @@ std::string Guard<D>::grown_most() const {
     }
   }
   return fmt::format("{} changed most since step {}, by {:.3g} J", name,
-                     simulation_.clock().step - every_, most);
+                     simulation_->clock().step - every_, most);
 }
 
 template class Guard<2>;

@@ -14,6 +14,9 @@ class Guard {
  public:
   Guard(Simulation<D>& simulation, const Settings& run);
 
+  /// Another simulation goes on with the same state.
+  void follow(Simulation<D>& simulation) { simulation_ = &simulation; }
+
   /// Whether it looks in this step; if so call both, before and after the nodes move.
   bool due() const;
   void before();
@@ -30,7 +33,7 @@ class Guard {
   /// The energy that grew most since the last look.
   std::string grown_most() const;
 
-  Simulation<D>& simulation_;
+  Simulation<D>* simulation_;
   double most_made_, most_overlap_;
   std::int64_t every_;
   double floor_ = 0;    ///< J, below which energies are round-off

@@ -60,6 +60,8 @@ std::vector<Block> find_blocks(const Model<D>& model, const std::vector<Index>& 
   return blocks;
 }
 
+}  // namespace
+
 template <int D>
 void size_store(Model<D>& model) {
   const Index points = model.mesh.points(), elements = model.mesh.elements();
@@ -73,8 +75,6 @@ void size_store(Model<D>& model) {
   const auto materials = static_cast<Index>(model.materials.size());
   model.store.set_size(Entity::material, materials, materials);
 }
-
-}  // namespace
 
 template <int D>
 Mesh<D> build_mesh(const Settings& scene, const std::filesystem::path& folder) {
@@ -143,6 +143,8 @@ void build_model(const Settings& scene, const std::filesystem::path& folder, Mod
 
 template Mesh<2> build_mesh<2>(const Settings&, const std::filesystem::path&);
 template Mesh<3> build_mesh<3>(const Settings&, const std::filesystem::path&);
+template void size_store(Model<2>&);
+template void size_store(Model<3>&);
 template std::vector<int> group_sizes(const Settings&, const Mesh<2>&);
 template std::vector<int> group_sizes(const Settings&, const Mesh<3>&);
 template void build_model(const Settings&, const std::filesystem::path&, Model<2>&);

@@ -15,6 +15,10 @@ Mesh<D> build_mesh(const Settings& scene, const std::filesystem::path& folder);
 template <int D>
 std::vector<int> group_sizes(const Settings& scene, const Mesh<D>& mesh);
 
+/// Counts of nodes, corners, elements, families and materials, and room for more.
+template <int D>
+void size_store(Model<D>& model);
+
 /// Mesh, topology, materials and blocks of a scene; sizes of the store's entities.
 template <int D>
 void build_model(const Settings& scene, const std::filesystem::path& folder, Model<D>& model);

@@ -3,9 +3,11 @@
 #include "modules/fracture/fracture.hpp"
 #include "scene/emissions.hpp"
 #include "scene/frame_builder.hpp"
+#include "scene/part_pictures.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
@@ -42,6 +44,25 @@ void observe_after(Simulation<D>& simulation, Row& row, Ledger& ledger) {
   row.set("RES_2", ledger.residual_2());
   for (const auto& module : simulation.modules())
     module->observe(simulation.model(), simulation.clock(), Moment::after, row);
+  if (const World* world = simulation.model().part.world) row.merge(*world);
+}
+
+/// The events of a step at the rank that writes them, by their places so that their order does not
+/// depend on who saw them.
+std::vector<Event> of_all_ranks(std::vector<Event> events, const World* world) {
+  if (world == nullptr) return events;
+  std::vector<char> bytes(events.size() * sizeof(Event));
+  std::memcpy(bytes.data(), events.data(), bytes.size());
+  events.clear();
+  for (const std::vector<char>& part : world->collect(bytes)) {
+    const std::size_t before = events.size();
+    events.resize(before + part.size() / sizeof(Event));
+    std::memcpy(events.data() + before, part.data(), part.size());
+  }
+  std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
+    return std::lexicographical_compare(a.place, a.place + 3, b.place, b.place + 3);
+  });
+  return events;
 }
 
 }  // namespace
@@ -62,8 +83,12 @@ double history_interval(const Settings& scene) {
 }
 
 template <int D>
-Recorder<D>::Recorder(Simulation<D>& simulation, const RunFolder& folder, const Settings& scene)
-    : simulation_(simulation), folder_(folder), duration_(scene.at("run").number("duration")) {
+Recorder<D>::Recorder(Simulation<D>& simulation, const RunFolder* folder, const Settings& scene,
+                      std::function<Simulation<D>*()> whole)
+    : simulation_(&simulation),
+      folder_(folder),
+      whole_(std::move(whole)),
+      duration_(scene.at("run").number("duration")) {
   const Settings& output = scene.at("output");
   interval_ = history_interval(scene);
   frames_ = output.integer("frames");
@@ -72,11 +97,12 @@ Recorder<D>::Recorder(Simulation<D>& simulation, const RunFolder& folder, const 
 
 template <int D>
 void Recorder<D>::start() {
-  if (Fracture<D>::wanted(simulation_.scene()))
-    event_file_ = std::make_unique<EventWriter>(folder_.events(), D);
+  if (folder_ == nullptr) return;
+  if (Fracture<D>::wanted(simulation_->scene()))
+    event_file_ = std::make_unique<EventWriter>(folder_->events(), D);
   if (frames_ > 0) {
-    fragment_file_ = std::make_unique<FragmentWriter>(folder_.fragments(), D);
-    frame_series_ = std::make_unique<FrameSeries>(folder_.path());
+    fragment_file_ = std::make_unique<FragmentWriter>(folder_->fragments(), D);
+    frame_series_ = std::make_unique<FrameSeries>(folder_->path());
   }
 }
 
@@ -85,19 +111,20 @@ void Recorder<D>::resume(const OutputState& state) {
   next_history_ = state.next_history;
   next_frame_ = state.next_frame;
   history_rows_ = state.history_rows;
+  if (folder_ == nullptr) return;
   read_history(state.history_rows);
-  if (Fracture<D>::wanted(simulation_.scene()))
-    event_file_ = std::make_unique<EventWriter>(folder_.events(), D, state.event_rows);
+  if (Fracture<D>::wanted(simulation_->scene()))
+    event_file_ = std::make_unique<EventWriter>(folder_->events(), D, state.event_rows);
   if (frames_ > 0) {
-    fragment_file_ = std::make_unique<FragmentWriter>(folder_.fragments(), D, state.fragment_rows);
-    frame_series_ = std::make_unique<FrameSeries>(folder_.path(), state.frame_times);
+    fragment_file_ = std::make_unique<FragmentWriter>(folder_->fragments(), D, state.fragment_rows);
+    frame_series_ = std::make_unique<FrameSeries>(folder_->path(), state.frame_times);
     fragment_frame_ = static_cast<std::int64_t>(state.frame_times.size());
   }
 }
 
 template <int D>
 void Recorder<D>::read_history(std::int64_t rows) {
-  std::ifstream file(folder_.history());
+  std::ifstream file(folder_->history());
   std::string line, cell;
   if (!std::getline(file, line)) return;
   std::stringstream head(line);
@@ -109,19 +136,19 @@ void Recorder<D>::read_history(std::int64_t rows) {
     history_.push_back(std::move(values));
   }
   if (rows > 0)
-    history_file_ = std::make_unique<HistoryWriter>(folder_.history(), row_.columns(), rows);
+    history_file_ = std::make_unique<HistoryWriter>(folder_->history(), row_.columns(), rows);
 }
 
 template <int D>
 bool Recorder<D>::history_due() const {
-  const Clock& clock = simulation_.clock();
+  const Clock& clock = simulation_->clock();
   return final_ || clock.time >= static_cast<double>(next_history_) * interval_ - kNear * clock.dt;
 }
 
 template <int D>
 bool Recorder<D>::frame_due() const {
   if (frames_ == 0) return false;
-  const Clock& clock = simulation_.clock();
+  const Clock& clock = simulation_->clock();
   const double next = duration_ * static_cast<double>(next_frame_) / static_cast<double>(frames_);
   return final_ || clock.time >= next - kNear * clock.dt;
 }
@@ -131,7 +158,7 @@ void Recorder<D>::before() {
   if (!due()) return;
   row_.restart_row();
   ledger_ = Ledger{};
-  observe_before(simulation_, row_, ledger_);
+  observe_before(*simulation_, row_, ledger_);
   if (!frame_due() && !final_) return;
   write_frame();
   ++next_frame_;
@@ -143,27 +170,36 @@ void Recorder<D>::after() {
   if (!history_due()) return;
   write_row();
   while (!final_ && static_cast<double>(next_history_) * interval_ <=
-                        simulation_.clock().time + kNear * simulation_.clock().dt)
+                        simulation_->clock().time + kNear * simulation_->clock().dt)
     ++next_history_;
 }
 
 template <int D>
 void Recorder<D>::write_row() {
-  observe_after(simulation_, row_, ledger_);
-  if (!history_file_)
-    history_file_ = std::make_unique<HistoryWriter>(folder_.history(), row_.columns());
-  history_file_->write(row_.values());
+  observe_after(*simulation_, row_, ledger_);
   ++history_rows_;
+  if (folder_ == nullptr) return;
+  if (!history_file_)
+    history_file_ = std::make_unique<HistoryWriter>(folder_->history(), row_.columns());
+  history_file_->write(row_.values());
   history_.push_back(row_.values());
 }
 
 template <int D>
 void Recorder<D>::write_frame() {
   Picture picture;
-  const Fragments fragments = find_fragments(simulation_.model());
-  for (const auto& module : simulation_.modules()) module->draw(simulation_.model(), picture);
+  Simulation<D>* whole = whole_();
+  if (whole != simulation_) draw_parts(*simulation_, whole, picture);
+  if (whole != nullptr) draw(*whole, picture);
+}
+
+template <int D>
+void Recorder<D>::draw(Simulation<D>& whole, Picture& picture) {
+  const Fragments fragments = find_fragments(whole.model());
+  for (const auto& module : whole.modules())
+    if (&whole == simulation_ || !module->draws_forces()) module->draw(whole.model(), picture);
   if (frames_ > 0) {
-    const FrameBuilder<D> frame(simulation_.model(), simulation_.clock(), picture, fragments);
+    const FrameBuilder<D> frame(whole.model(), simulation_->clock(), picture, fragments);
     frame.write(*frame_series_);
     write_fragments(fragments);
   }
@@ -181,7 +217,7 @@ void Recorder<D>::write_fragments(const Fragments& fragments) {
     row.elements = piece.elements;
     row.mass = piece.mass;
     row.size =
-        D == 2 ? std::sqrt(piece.volume / simulation_.model().thickness) : std::cbrt(piece.volume);
+        D == 2 ? std::sqrt(piece.volume / simulation_->model().thickness) : std::cbrt(piece.volume);
     std::copy_n(piece.place, 3, row.place.begin());
     std::copy_n(piece.velocity, 3, row.velocity.begin());
     std::copy_n(piece.spin, 3, row.spin.begin());
@@ -189,29 +225,37 @@ void Recorder<D>::write_fragments(const Fragments& fragments) {
     row.width = piece.width;
     rows.push_back(row);
   }
-  fragment_file_->write(simulation_.clock().time, fragment_frame_++, rows);
+  fragment_file_->write(simulation_->clock().time, fragment_frame_++, rows);
 }
 
 template <int D>
 void Recorder<D>::write_events() {
-  if (!event_file_) return;
+  const Model<D>& model = simulation_->model();
+  if (!model.part.whole() && model.releases == releases_seen_) return;
+  releases_seen_ = model.releases;
+  std::vector<Event> events;
+  for (const auto& module : simulation_->modules()) {
+    const std::vector<Event> more = module->take_events();
+    events.insert(events.end(), more.begin(), more.end());
+  }
+  events = of_all_ranks(std::move(events), model.part.world);
+  if (!event_file_ || events.empty()) return;
   std::vector<CrackEvent> rows;
-  for (const auto& module : simulation_.modules())
-    for (const Event& event : module->take_events()) {
-      CrackEvent row;
-      row.time = event.time;
-      std::copy_n(event.place, 3, row.place.begin());
-      std::copy_n(event.normal, 3, row.normal.begin());
-      row.area = event.area;
-      row.mode = event.mode;
-      row.energy_tension = event.energy_tension;
-      row.energy_shear = event.energy_shear;
-      row.opening = event.opening;
-      row.slip = event.slip;
-      row.moment = event.moment;
-      rows.push_back(row);
-    }
-  if (!rows.empty()) event_file_->write(rows);
+  for (const Event& event : events) {
+    CrackEvent row;
+    row.time = event.time;
+    std::copy_n(event.place, 3, row.place.begin());
+    std::copy_n(event.normal, 3, row.normal.begin());
+    row.area = event.area;
+    row.mode = event.mode;
+    row.energy_tension = event.energy_tension;
+    row.energy_shear = event.energy_shear;
+    row.opening = event.opening;
+    row.slip = event.slip;
+    row.moment = event.moment;
+    rows.push_back(row);
+  }
+  event_file_->write(rows);
 }
 
 /// Reaches three faces unless the scene says otherwise; cracks run at half the speed of the slowest
@@ -219,8 +263,8 @@ void Recorder<D>::write_events() {
 template <int D>
 void Recorder<D>::finish() {
   if (!event_file_) return;
-  const std::vector<CrackEvent> events = read_events(folder_.events(), D, event_file_->rows());
-  const Model<D>& model = simulation_.model();
+  const std::vector<CrackEvent> events = read_events(folder_->events(), D, event_file_->rows());
+  const Model<D>& model = simulation_->model();
   double area = 0, shear_wave = 1e300;
   for (const CrackEvent& event : events) area += event.area;
   for (const Material& m : model.materials)
@@ -228,7 +272,7 @@ void Recorder<D>::finish() {
   const double mean = events.empty() ? 1 : area / static_cast<double>(events.size());
   const double face = D == 2 ? mean / model.thickness : std::sqrt(2 * mean);
   const double reach = emission_reach_ > 0 ? emission_reach_ : kReachInFaces * face;
-  write_emissions(folder_.emissions(), D, find_emissions(events, {reach, 2 * reach / shear_wave}));
+  write_emissions(folder_->emissions(), D, find_emissions(events, {reach, 2 * reach / shear_wave}));
 }
 
 template <int D>

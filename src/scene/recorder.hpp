@@ -6,6 +6,7 @@
 #include "scene/simulation.hpp"
 #include "scene/state_file.hpp"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,7 +25,13 @@ double history_interval(const Settings& scene);
 template <int D>
 class Recorder {
  public:
-  Recorder(Simulation<D>& simulation, const RunFolder& folder, const Settings& scene);
+  /// `whole`: the whole scene with its state of now, put together by all ranks; null on those that
+  /// write nothing. They have no folder.
+  Recorder(Simulation<D>& simulation, const RunFolder* folder, const Settings& scene,
+           std::function<Simulation<D>*()> whole);
+
+  /// Another simulation goes on with the same state.
+  void follow(Simulation<D>& simulation) { simulation_ = &simulation; }
 
   /// Starts empty files, or goes on where a checkpoint stood.
   void start();
@@ -52,12 +59,14 @@ class Recorder {
   bool frame_due() const;
   void write_row();
   void write_frame();
+  void draw(Simulation<D>& whole, Picture& picture);
   void write_fragments(const Fragments& fragments);
   void write_events();
   void read_history(std::int64_t rows);
 
-  Simulation<D>& simulation_;
-  const RunFolder& folder_;
+  Simulation<D>* simulation_;
+  const RunFolder* folder_;
+  std::function<Simulation<D>*()> whole_;
   double duration_, interval_;
   double emission_reach_ = 0;  ///< m; 0: by the faces that broke
   std::int64_t frames_;
@@ -74,6 +83,7 @@ class Recorder {
   std::unique_ptr<FragmentWriter> fragment_file_;
   std::unique_ptr<FrameSeries> frame_series_;
   std::int64_t history_rows_ = 0;
+  std::int64_t releases_seen_ = 0;
 };
 
 }  // namespace breccia

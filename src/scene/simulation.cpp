@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace breccia {
 
@@ -54,6 +55,19 @@ template <int D>
 Simulation<D>::Simulation(const Settings& scene, const std::filesystem::path& folder)
     : scene_(&scene) {
   build_model(scene, folder, model_);
+  assemble();
+  motion_->set_initial_velocity(initial_velocity(scene, model_));
+}
+
+template <int D>
+Simulation<D>::Simulation(const Settings& scene, Parts<D>& parts) : scene_(&scene), parts_(&parts) {
+  parts.fill(model_);
+  assemble();
+}
+
+template <int D>
+void Simulation<D>::assemble() {
+  const Settings& scene = *scene_;
   modules_ = make_modules<D>(scene);
   model_.stored_energy = [this] {
     Ledger ledger;
@@ -62,9 +76,9 @@ Simulation<D>::Simulation(const Settings& scene, const std::filesystem::path& fo
   };
   for (const auto& module : modules_)
     if (auto* motion = dynamic_cast<Motion<D>*>(module.get())) motion_ = motion;
-  motion_->set_initial_velocity(initial_velocity(scene, model_));
   for (const auto& module : modules_) module->declare(model_);
   for (const auto& module : modules_) module->enlist(model_, plan_);
+  if (parts_ != nullptr) parts_->connect(model_, plan_);
   std::vector<std::string> initial;
   for (const auto& block : model_.store.blocks()) initial.emplace_back(block.info.name);
   plan_.finish(initial);
@@ -129,6 +143,7 @@ StableStep Simulation<D>::stable(bool renew) {
     for (const auto& module : modules_) module->add_stiffness(model_, stiffness_);
   }
   StableStep step = motion_->stable(model_, stiffness_, factors_, renew);
+  if (parts_ != nullptr) step = parts_->least(step);
   // Where bodies meet faster than sound an element could be crossed before its rate is known.
   if (step.strain_rate * step.dt > kStrainOfStep) step.dt = kStrainOfStep / step.strain_rate;
   if (!std::isfinite(step.dt)) step.dt = scene_->at("run").number("duration") / kUnlimitedSteps;
@@ -185,12 +200,15 @@ void Simulation<D>::record(const StableStep& stable) {
     record_.set_by = "run.step";
     return;
   }
-  const auto x = model_.store.template get<NodePosition<D>>();
-  const auto one = Kokkos::create_mirror_view_and_copy(
-      Kokkos::HostSpace{},
-      Kokkos::subview(x, std::make_pair(stable.node, stable.node + 1), Kokkos::ALL));
   std::string place;
-  for (int d = 0; d < D; ++d) place += fmt::format("{}{:.5g}", d ? ", " : "", one(0, d));
+  if (stable.node != kNone) {
+    const auto x = model_.store.template get<NodePosition<D>>();
+    const auto one = Kokkos::create_mirror_view_and_copy(
+        Kokkos::HostSpace{},
+        Kokkos::subview(x, std::make_pair(stable.node, stable.node + 1), Kokkos::ALL));
+    for (int d = 0; d < D; ++d) place += fmt::format("{}{:.5g}", d ? ", " : "", one(0, d));
+  }
+  if (parts_ != nullptr) parts_->world().share(place, stable.rank);
   record_.set_by = fmt::format(
       "{} at ({}) m", stable.by_springs ? "interface or contact springs" : "elements", place);
 }
@@ -203,9 +221,45 @@ void Simulation<D>::stop_motion() {
   clock_.dt_before = 0;
 }
 
+namespace {
+namespace news {
+constexpr std::uint64_t stale = 1, stop = 2, split = 4, release = 8, wishes_from = 16;
+}
+}  // namespace
+
+template <int D>
+void Simulation<D>::agree() {
+  std::uint64_t seen = ask_ ? ask_() * news::wishes_from : 0;
+  if (parts_ == nullptr) {
+    wishes_ = seen / news::wishes_from;
+    return;
+  }
+  const World& world = parts_->world();
+  if (model_.step_is_stale) seen |= news::stale;
+  if (model_.stop.raised) seen |= news::stop;
+  if (model_.splits != splits_known_) seen |= news::split;
+  if (model_.releases != releases_known_) seen |= news::release;
+  seen = world.bits(seen);
+  wishes_ = seen / news::wishes_from;
+  model_.step_is_stale = (seen & news::stale) != 0;
+  if ((seen & news::split) != 0) {
+    model_.splits = ++splits_known_;
+    parts_->renew(model_);
+  }
+  if ((seen & news::release) != 0) {
+    model_.releases = ++releases_known_;
+    parts_->bring_slip(model_);
+  }
+  if ((seen & news::stop) == 0) return;
+  const auto first = static_cast<int>(world.least(model_.stop.raised ? world.rank() : world.size()));
+  world.share(model_.stop.cause, first);
+  model_.stop.raised = true;
+}
+
 template <int D>
 void Simulation<D>::step(double end, const Watchers& watchers) {
   plan_.run(Stage::search, Stage::split, clock_);
+  agree();
   if (model_.rest.due) stop_motion();
   choose_step();
   const double whole = clock_.dt;
@@ -223,6 +277,7 @@ void Simulation<D>::step(double end, const Watchers& watchers) {
 template <int D>
 void Simulation<D>::close(const Watchers& watchers) {
   plan_.run(Stage::search, Stage::split, clock_);
+  agree();
   clock_.dt = 0;
   watchers.before();
   plan_.run(Stage::assemble, Stage::observe, clock_);
@@ -240,12 +295,17 @@ void Simulation<D>::book_before(Ledger& ledger) {
 template <int D>
 void Simulation<D>::book_after(Ledger& ledger) {
   motion_->book_after(model_, clock_, ledger);
+  if (parts_ != nullptr) ledger.merge(parts_->world());
 }
 
 template <int D>
 Counts Simulation<D>::counts() {
   Counts counts;
   for (const auto& module : modules_) module->count(model_, counts);
+  if (parts_ == nullptr) return counts;
+  for (std::int64_t* count :
+       {&counts.bonded, &counts.inserted, &counts.released, &counts.contact_points})
+    *count = parts_->world().sum(*count);
   return counts;
 }
 
@@ -259,13 +319,22 @@ void archive_text(Archive& archive, std::string_view name, std::string& text) {
 
 /// What the run has cost before it was interrupted counts on.
 void archive_costs(Archive& archive, Plan& plan) {
-  plan.book("output", 0, 0);
-  const std::vector<Cost> costs = plan.costs();
-  for (Cost cost : costs) {
-    archive.number("cost." + cost.effect + ".seconds", cost.seconds);
-    archive.integer("cost." + cost.effect + ".launches", cost.launches);
-    if (archive.loading()) plan.book(cost.effect, cost.seconds, cost.launches);
+  std::string names;
+  std::vector<double> seconds;
+  std::vector<std::int64_t> launches;
+  for (const Cost& cost : plan.costs()) {
+    names += cost.effect + '\n';
+    seconds.push_back(cost.seconds);
+    launches.push_back(cost.launches);
   }
+  archive_text(archive, "cost.effects", names);
+  archive.numbers("cost.seconds", seconds);
+  archive.integers("cost.launches", launches);
+  if (!archive.loading()) return;
+  std::istringstream lines(names);
+  std::string effect;
+  for (std::size_t i = 0; std::getline(lines, effect); ++i)
+    plan.book(effect, seconds[i], launches[i]);
 }
 
 }  // namespace
@@ -297,6 +366,9 @@ void Simulation<D>::archive(Archive& archive) {
 template <int D>
 void Simulation<D>::resume() {
   for (const auto& module : modules_) module->resume(model_);
+  splits_known_ = model_.splits;
+  releases_known_ = model_.releases;
+  if (parts_ != nullptr) parts_->renew(model_);
 }
 
 template class Simulation<2>;

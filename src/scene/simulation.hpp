@@ -1,5 +1,6 @@
 #pragma once
 #include "modules/motion/motion.hpp"
+#include "scene/parts.hpp"
 #include "step/module.hpp"
 
 #include <filesystem>
@@ -24,6 +25,9 @@ class Simulation {
   /// Meshes the bodies (files are looked for in `folder`), allocates the fields of the modules
   /// that the scene calls for. Throws Error where the scene cannot be built.
   Simulation(const Settings& scene, const std::filesystem::path& folder);
+  /// This rank's part of a scene that is dealt out; take_state (scene/part_state.hpp) gives it its
+  /// state. `parts` outlives it. Collective.
+  Simulation(const Settings& scene, Parts<D>& parts);
 
   /// Fills the state at t = 0 and chooses the first step. Throws Error when a step that the
   /// user fixed is not stable.
@@ -36,6 +40,10 @@ class Simulation {
   };
   /// One step, no longer than to `end`.
   void step(double end, const Watchers& watchers);
+  /// Asked in each step; what some rank has said is in wishes() after the step, on all ranks.
+  void ask_for(std::function<std::uint64_t()> wishes) { ask_ = std::move(wishes); }
+  std::uint64_t wishes() const { return wishes_; }
+  const std::function<std::uint64_t()>& asked() const { return ask_; }
 
   /// Half a kick at the end of a run brings the velocities to the time of the positions.
   void close(const Watchers& watchers);
@@ -63,6 +71,9 @@ class Simulation {
   StableStep stable(bool renew);
 
  private:
+  void assemble();
+  /// What one rank has seen happens on all of them: splits, releases, stops.
+  void agree();
   void choose_step();
   /// Share of the first stable step that fast bodies may take.
   double first_share() const;
@@ -71,6 +82,7 @@ class Simulation {
   void record(const StableStep& stable);
 
   const Settings* scene_;
+  Parts<D>* parts_ = nullptr;
   Model<D> model_;
   std::vector<std::unique_ptr<Module<D>>> modules_;
   Motion<D>* motion_ = nullptr;
@@ -84,6 +96,9 @@ class Simulation {
   std::int64_t next_look_ = 0;  ///< step before which a stale step is good enough
   std::int64_t calm_from_ = 0;  ///< step before which it does not grow
   Array<double> stiffness_;
+  std::function<std::uint64_t()> ask_;
+  std::uint64_t wishes_ = 0;
+  std::int64_t splits_known_ = 0, releases_known_ = 0;  ///< by all ranks
 };
 
 }  // namespace breccia

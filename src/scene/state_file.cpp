@@ -2,6 +2,7 @@
 
 #include "core/build_info.hpp"
 #include "io/digest.hpp"
+#include "scene/state_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -120,10 +121,12 @@ OutputState load_state(const std::string& path, const CheckpointIdentity& identi
 template <int D>
 std::string state_hash(const Simulation<D>& simulation) {
   Digest digest;
-  simulation.model().store.save([&](const FieldInfo& info, const void* data, std::size_t bytes) {
-    digest.update(info.name);
-    digest.update(data, bytes);
-  });
+  const Topology<D>& topology = simulation.model().topology;
+  for (const auto& [name, field] : in_order<D>(rows_of(simulation.model().store),
+                                               topology.family_start, topology.family_corner)) {
+    digest.update(name);
+    digest.update(field.data.data(), field.data.size());
+  }
   return hex16(digest.value());
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <sstream>
 
 namespace breccia {
 
@@ -18,6 +20,44 @@ void Ledger::add(const std::string& name, EnergyKind kind, double joule) {
       return;
     }
   entries_.push_back({name, kind, joule});
+}
+
+namespace {
+
+/// Entries as text, so that ranks may have different ones.
+std::string names_of(const std::vector<Ledger::Entry>& entries) {
+  std::string text;
+  for (const Ledger::Entry& entry : entries)
+    text += (entry.kind == EnergyKind::stored ? 's' : 'd') + entry.name + '\n';
+  return text;
+}
+
+}  // namespace
+
+void Ledger::merge(const World& world) {
+  if (world.size() == 1) return;
+  const std::string mine = names_of(entries_);
+  std::string all;
+  for (const std::vector<char>& names : world.collect({mine.begin(), mine.end()}))
+    all.append(names.begin(), names.end());
+  world.share(all, 0);
+  std::vector<Entry> known;
+  std::swap(known, entries_);
+  std::istringstream lines(all);
+  for (std::string line; std::getline(lines, line);)
+    add(line.substr(1), line[0] == 's' ? EnergyKind::stored : EnergyKind::dissipated, 0);
+  for (const Entry& entry : known) add(entry.name, entry.kind, entry.joule);
+  std::vector<double> sums{kinetic, kinetic_half};
+  sums.insert(sums.end(), std::begin(work), std::end(work));
+  sums.insert(sums.end(), std::begin(work_middle), std::end(work_middle));
+  for (const Entry& entry : entries_) sums.push_back(entry.joule);
+  world.add_up(sums);
+  auto next = sums.begin();
+  kinetic = *next++;
+  kinetic_half = *next++;
+  for (double& w : work) w = *next++;
+  for (double& w : work_middle) w = *next++;
+  for (Entry& entry : entries_) entry.joule = *next++;
 }
 
 double Ledger::value(const std::string& name) const {

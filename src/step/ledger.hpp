@@ -1,4 +1,6 @@
 #pragma once
+#include "core/world.hpp"
+
 #include <string>
 #include <vector>
 
@@ -35,6 +37,10 @@ class Ledger {
     double joule;
   };
   const std::vector<Entry>& entries() const { return entries_; }
+
+  /// Of the parts that the ranks know, the whole; what was there at the start is known to all.
+  /// Collective.
+  void merge(const World& world);
 
   double kinetic = 0;                      ///< at t^n, from v^(n-1/2).v^(n+1/2)
   double kinetic_half = 0;                 ///< at t^(n+1/2)

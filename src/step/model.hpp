@@ -6,6 +6,7 @@
 #include "mesh/mesh.hpp"
 #include "mesh/topology.hpp"
 #include "step/material.hpp"
+#include "step/part.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -80,6 +81,7 @@ struct Model {
   /// Material axes of each element as columns; empty: those of the coordinates.
   std::vector<Mat<D>> axes;
   Store store;
+  Part part;
 
   // Events that other modules answer to; they count up.
   std::int64_t splits = 0;           ///< steps in which nodes split: corner lists and nodes changed

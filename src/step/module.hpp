@@ -40,6 +40,8 @@ class Module {
   virtual void book(Model<D>&, Ledger&) const {}
   /// Sets its history columns.
   virtual void observe(Model<D>&, const Clock&, Moment, Row&) {}
+  /// Whether what it draws is known only to who has computed the last forces.
+  virtual bool draws_forces() const { return false; }
   /// Adds its fields to a frame.
   virtual void draw(Model<D>&, Picture&) const {}
   /// Events since the last call, in a fixed order.

@@ -1,5 +1,6 @@
 #pragma once
 #include "base/index.hpp"
+#include "core/world.hpp"
 
 #include <cstdint>
 #include <string>
@@ -13,18 +14,24 @@ namespace breccia {
 /// reactions). Velocities at t^n are the mean of both.
 enum class Moment { before, after };
 
+/// How the numbers that the ranks have for a column become one.
+enum class Merge { same, sum, largest };
+
 /// One history row in the making: columns in the order in which they were first set.
 class Row {
  public:
-  void set(const std::string& column, double value);
+  void set(const std::string& column, double value, Merge merge = Merge::same);
   double get(const std::string& column) const;  ///< 0 where it is not set yet
   const std::vector<std::string>& columns() const { return columns_; }
   const std::vector<double>& values() const { return values_; }
   void restart_row();  ///< keeps the columns, zeroes the values
+  /// The row of the whole scene. All ranks have the same columns. Collective.
+  void merge(const World& world);
 
  private:
   std::vector<std::string> columns_;
   std::vector<double> values_;
+  std::vector<Merge> merges_;
 };
 
 /// Fields of a frame. `components` numbers per entity, entity-major.
@@ -86,7 +93,8 @@ struct Counts {
   std::int64_t contact_points = 0;
 };
 
-/// State of a module that is not in the store: named numbers for a checkpoint.
+/// State of a module that is not in the store: named numbers for a checkpoint. Those of the first
+/// four are the same on all ranks; of the others each rank has its part.
 class Archive {
  public:
   virtual ~Archive() = default;
@@ -95,6 +103,17 @@ class Archive {
   virtual void integer(std::string_view name, std::int64_t& value) = 0;
   virtual void numbers(std::string_view name, std::vector<double>& values) = 0;
   virtual void integers(std::string_view name, std::vector<std::int64_t>& values) = 0;
+
+  /// Running sums, `columns` in a row: only the sum of all rows of all ranks counts.
+  virtual void sums(std::string_view name, std::vector<double>& values, int /*columns*/) {
+    numbers(name, values);
+  }
+  virtual void total(std::string_view name, std::int64_t& value) { integer(name, value); }
+  virtual void total(std::string_view name, double& value) { number(name, value); }
+  /// A list that goes on with those of the other ranks.
+  virtual void list(std::string_view name, std::vector<double>& values) { numbers(name, values); }
+  /// The same, of which each rank may want any part again.
+  virtual void rows(std::string_view name, std::vector<double>& values) { numbers(name, values); }
 };
 
 }  // namespace breccia

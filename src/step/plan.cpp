@@ -19,12 +19,41 @@ std::string_view name_of(Stage stage) {
 Task& Plan::add(Stage stage, std::string name, std::string effect,
                 std::function<void(const Clock&)> run) {
   return tasks_.emplace_back(
-      Task{stage, std::move(name), std::move(effect), {}, {}, std::move(run)});
+      Task{stage, std::move(name), std::move(effect), {}, {}, {}, std::move(run)});
+}
+
+void Plan::exchange_by(std::vector<std::string> fields, std::function<void(const Clock&)> run) {
+  exchanges_.push_back({std::move(fields), std::move(run)});
+}
+
+namespace {
+
+bool meet(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  return std::any_of(a.begin(), a.end(), [&b](const std::string& name) {
+    return std::find(b.begin(), b.end(), name) != b.end();
+  });
+}
+
+}  // namespace
+
+void Plan::insert_exchanges() {
+  for (const Exchange& exchange : exchanges_) {
+    const bool wanted = std::any_of(tasks_.begin(), tasks_.end(), [&](const Task& task) {
+      return meet(task.ghosts, exchange.fields);
+    });
+    const auto last = std::find_if(tasks_.rbegin(), tasks_.rend(), [&](const Task& task) {
+      return meet(task.writes, exchange.fields);
+    });
+    if (!wanted || last == tasks_.rend()) continue;
+    tasks_.insert(last.base(), Task{last->stage, "exchange::" + exchange.fields.front(), "exchange",
+                                    exchange.fields, exchange.fields, {}, exchange.run});
+  }
 }
 
 void Plan::finish(const std::vector<std::string>& initial) {
   std::stable_sort(tasks_.begin(), tasks_.end(),
                    [](const Task& a, const Task& b) { return a.stage < b.stage; });
+  insert_exchanges();
   std::set<std::string> known(initial.begin(), initial.end());
   for (const Task& task : tasks_) known.insert(task.writes.begin(), task.writes.end());
   for (const Task& task : tasks_)

@@ -34,12 +34,18 @@ struct Task {
   std::string name;    ///< "fracture::split"
   std::string effect;  ///< "fracture"
   std::vector<std::string> reads, writes;
+  std::vector<std::string> ghosts;  ///< of what it reads: also where other ranks own it
   std::function<void(const Clock&)> run;
 
   template <class... Fields>
   Task& reading() {
     (reads.emplace_back(Fields::info.name), ...);
     return *this;
+  }
+  template <class... Fields>
+  Task& reading_ghosts() {
+    (ghosts.emplace_back(Fields::info.name), ...);
+    return reading<Fields...>();
   }
   template <class... Fields>
   Task& writing() {
@@ -64,6 +70,11 @@ class Plan {
   /// Runs the tasks of the stages from `first` to `last`, both included, booking their cost.
   void run(Stage first, Stage last, const Clock& clock);
 
+  /// How fields get from their owners to the ranks that know them as ghosts: `run` brings all of
+  /// `fields`. `finish` puts it behind the last task that writes one of them, where a task reads
+  /// one with ghosts.
+  void exchange_by(std::vector<std::string> fields, std::function<void(const Clock&)> run);
+
   /// Sorts by stage and checks that every field read in a step is written earlier in the step,
   /// later in it (so it holds the value of the step before), or is one of `initial`.
   /// Throws std::logic_error that names task and field.
@@ -78,7 +89,14 @@ class Plan {
 
  private:
   Cost& cost_of(const std::string& effect);
+  void insert_exchanges();
+
+  struct Exchange {
+    std::vector<std::string> fields;
+    std::function<void(const Clock&)> run;
+  };
   std::vector<Task> tasks_;
+  std::vector<Exchange> exchanges_;
   std::vector<Cost> costs_;
 };
 

@@ -18,20 +18,6 @@ Point<D> point_of(const std::vector<double>& v) {
   return p;
 }
 
-template <int D>
-double extent(const Mesh<D>& mesh) {
-  double largest = 0;
-  for (int d = 0; d < D; ++d) {
-    double low = mesh.point.front()[d], high = low;
-    for (const Point<D>& p : mesh.point) {
-      low = std::min(low, p[d]);
-      high = std::max(high, p[d]);
-    }
-    largest = std::max(largest, high - low);
-  }
-  return largest;
-}
-
 }  // namespace
 
 template <int D>
@@ -55,7 +41,7 @@ Region select_region(const Settings& section, const Mesh<D>& mesh, const Topolog
     key = "plane";
     const Settings& plane = section.at("plane");
     PlaneSelector<D> selector{point_of<D>(plane.vector("point")),
-                              point_of<D>(plane.vector("normal")), 1e-6 * extent(mesh)};
+                              point_of<D>(plane.vector("normal")), 1e-6 * extent_of(mesh)};
     if (plane.has("tolerance")) selector.tolerance = plane.number("tolerance");
     region = select(mesh, topology, selector);
   } else {
@@ -65,7 +51,7 @@ Region select_region(const Settings& section, const Mesh<D>& mesh, const Topolog
         select(mesh, topology,
                BoxSelector<D>{point_of<D>(box.vector("lower")), point_of<D>(box.vector("upper"))});
   }
-  if (region.points.empty())
+  if (region.points.empty() && !mesh.partial)
     throw section.error(key, "no node of the mesh lies there",
                         "move or enlarge it; `breccia check` prints the extent of every body");
   return region;

@@ -13,7 +13,7 @@ ElementStress<D> stress_of(const Model<D>& model) {
           s.get<ElementReference<D>>(),  s.get<ElementMaterial>(),
           s.get<MaterialLame>(),         model.thickness,
           D == 2 && model.plane_stress,  s.get_or_empty<ElementCauchy<D>>(),
-          s.get_or_empty<ElementShare>()};
+          s.get_or_empty<ElementShare>(), model.part.own};
 }
 
 /// A stress as scenes give it: [xx, yy, zz, xy] or [xx, yy, zz, xy, yz, xz].

@@ -16,6 +16,13 @@ bool is_motion(const Settings& section) {
   return section.has("velocity") || section.has("fixed") || section.has("symmetry");
 }
 
+/// Whether some section loads faces; a part of the mesh may have none of them.
+bool presses(const Settings& scene) {
+  const auto& sections = scene.list("boundary");
+  return std::any_of(sections.begin(), sections.end(),
+                     [](const Settings& section) { return !is_motion(section); });
+}
+
 }  // namespace
 
 template <int D>
@@ -58,7 +65,7 @@ void Boundary<D>::read(const Model<D>& model) {
       load(model, law, region, sections[i]);
     }
   }
-  loads_ = !face_loads_.empty();
+  loads_ = !face_loads_.empty() || (model.mesh.partial && presses(*model.scene));
 }
 
 template <int D>
@@ -205,6 +212,17 @@ void Boundary<D>::enlist(Model<D>& model, Plan& plan) {
                boundary_motion(motion_, model.store.template get<BoundaryVelocity<D>>());
              })
         .template writing<BoundaryVelocity<D>>();
+}
+
+/// The numbers of rows are in the flags of the nodes.
+template <int D>
+void Boundary<D>::archive(Archive& archive) {
+  std::vector<std::int64_t> numbers;
+  for (const Sources& row : rows_) numbers.insert(numbers.end(), row.begin(), row.end());
+  archive.integers("boundary.rows", numbers);
+  rows_.resize(numbers.size() / D);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    rows_[i / D][i % D] = static_cast<Index>(numbers[i]);
 }
 
 template class Boundary<2>;

@@ -16,6 +16,7 @@ class Boundary final : public Module<D> {
   void bind(Model<D>& model) override;
   void resume(Model<D>& model) override;
   void enlist(Model<D>& model, Plan& plan) override;
+  void archive(Archive& archive) override;
 
  private:
   /// What loads a face: the law of its course over time, its force of a fixed direction.

@@ -84,7 +84,7 @@ void Boundary<D>::load(const Model<D>& model, Index law, const Region& region,
     }
   }
   if (section.has("on_new_faces")) start_spreading(model, law, region, section);
-  if (none)
+  if (none && !model.mesh.partial)
     throw section.error(
         "", "a traction or pressure needs free faces and none lies there",
         "choose a side of a body (such as \"disc.rim\"), or a plane on its surface");

@@ -47,6 +47,7 @@ std::vector<FrictionLaw> friction_laws(const Settings& contact,
 template <int D>
 void Contact<D>::declare(Model<D>& model) {
   Store& s = model.store;
+  lists_.follow(model.part);
   s.add<ContactForce<D>>(key());
   s.add<ContactPoint>(key());
   s.add<ContactElement>(key());
@@ -114,11 +115,13 @@ template <int D>
 void Contact<D>::enlist(Model<D>& model, Plan& plan) {
   plan.add(Stage::search, "contact::search", key(),
            [this, &model](const Clock& clock) { lists_.look(model, clock, rule_); })
-      .template reading<NodePosition<D>, NodeVelocity<D>, ElementNodes<D>>()
+      .template reading<ElementNodes<D>>()
+      .template reading_ghosts<NodePosition<D>, NodeVelocity<D>>()
       .template writing<NodeFlags, ContactPoint>();
   plan.add(Stage::contact_force, "contact::force", key(),
            [this, &model](const Clock& clock) { act(model, clock); })
-      .template reading<NodePosition<D>, NodeVelocity<D>, ContactPoint>()
+      .template reading<ContactPoint>()
+      .template reading_ghosts<NodePosition<D>, NodeVelocity<D>>()
       .template writing<ContactForce<D>, ContactMemory<D>>();
 }
 
@@ -199,11 +202,11 @@ void Contact<D>::observe(Model<D>& model, const Clock&, Moment moment, Row& row)
   if (moment != Moment::before) return;
   Counts counts;
   count(model, counts);
-  row.set("contacts", static_cast<double>(counts.contact_points));
+  row.set("contacts", static_cast<double>(counts.contact_points), Merge::sum);
   const auto signals =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, lists_.signals().value);
-  row.set("contacts_lost", signals(ContactSignals::lost));
-  row.set("overlap", deepest_overlap(model).share);
+  row.set("contacts_lost", signals(ContactSignals::lost), Merge::sum);
+  row.set("overlap", deepest_overlap(model).share, Merge::largest);
 }
 
 template <int D>
@@ -228,7 +231,7 @@ void Contact<D>::archive(Archive& archive) {
   lists_.archive(archive);
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, lost_);
   std::vector<double> values(host.data(), host.data() + host.size());
-  archive.numbers("contact.lost", values);
+  archive.sums("contact.lost", values, 3);
   if (!archive.loading()) return;
   lost_ = ChunkSums<3>("breccia::contact::lost", values.size() / 3);
   const auto mirror = Kokkos::create_mirror_view(lost_);

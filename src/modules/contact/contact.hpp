@@ -24,6 +24,7 @@ class Contact final : public Module<D> {
   void add_stiffness(Model<D>& model, const Array<double>& stiffness) const override;
   bool has_springs() const override { return true; }
   void book(Model<D>& model, Ledger& ledger) const override;
+  bool draws_forces() const override { return true; }
   void draw(Model<D>& model, Picture& picture) const override;
   void observe(Model<D>& model, const Clock& clock, Moment moment, Row& row) override;
   void count(Model<D>& model, Counts& counts) const override;

@@ -34,17 +34,23 @@ constexpr std::int64_t kPatience = 16;
 template <int D>
 ContactHistory<D> ContactLists<D>::history(const Model<D>& model) {
   const Store& s = model.store;
-  return {s.get<ContactElement>(), s.get<ContactMemory<D>>(), s.get_or_empty<ContactRubbed>()};
+  return {s.get<ContactElement>(), s.get<ContactMemory<D>>(), s.get_or_empty<ContactRubbed>(),
+          s.get<ContactPoint>(), model.part.own};
 }
 
 template <int D>
 void ContactLists<D>::prepare(const Model<D>& model, const ContactListKeys& keys) {
   list_free_facets(model);
-  if (signals_.value.extent(0) == 0)
-    signals_.value = Array<Index>("breccia::contact::signals", ContactSignals::count);
+  make_signals();
   skin_share_ = keys.skin;
   by_parts_ = keys.by_parts;
   surface_.own_weight = keys.at_corners ? PointWeight<D>::corners : PointWeight<D>::gauss;
+}
+
+template <int D>
+void ContactLists<D>::make_signals() {
+  if (signals_.value.extent(0) == 0)
+    signals_.value = Array<Index>("breccia::contact::signals", ContactSignals::count);
 }
 
 /// Free faces of the elements that stay, and their faces towards what is gone. What is being
@@ -71,6 +77,12 @@ void ContactLists<D>::list_free_facets(const Model<D>& model) {
     if (right == 1 && left == 0) free.push_back(f.right * (D + 1) + f.right_face);
   }
   free_facet_ = to_device("breccia::contact::free_facets", free);
+  changes_ = model.surface_changes;
+  if (!part_->whole()) {
+    piece_ = to_device("breccia::contact::piece", part_->piece);
+    cut_ = Array<std::uint8_t>("breccia::contact::cut", static_cast<std::size_t>(part_->pieces));
+    return;
+  }
   // A piece that something is taken from is no longer what it was.
   std::vector<Index> piece = whole_pieces(model.mesh, model.topology, rigid);
   std::vector<std::uint8_t> cut(piece.size(), 0);
@@ -80,7 +92,34 @@ void ContactLists<D>::list_free_facets(const Model<D>& model) {
     if (p != kNone && cut[static_cast<std::size_t>(p)] != 0) p = kNone;
   piece_ = to_device("breccia::contact::piece", piece);
   cut_ = Array<std::uint8_t>("breccia::contact::cut", piece.size());
-  changes_ = model.surface_changes;
+}
+
+/// Harmonic mean of the sizes behind the surface of the whole scene, m: the sum is one of whole
+/// numbers, and the same for any number of ranks.
+template <int D>
+double ContactLists<D>::mean_size() const {
+  ContactSizes sizes = contact_sizes(surface_, part_->own);
+  if (!part_->whole()) {
+    sizes.finest = part_->world->largest(sizes.finest);
+    sizes.facets = part_->world->sum(sizes.facets);
+  }
+  if (sizes.facets == 0) return 0;
+  const int room = 60 - std::ilogb(static_cast<double>(sizes.facets));
+  const double grain = std::exp2(std::ilogb(sizes.finest) + 1 - std::min(room, 52));
+  std::int64_t sum = sum_of_inverse_sizes(surface_, part_->own, grain);
+  if (!part_->whole()) sum = part_->world->sum(sum);
+  return D * static_cast<double>(sizes.facets) / (static_cast<double>(sum) * grain);
+}
+
+/// A face of a piece may have been inserted where another rank knows it.
+template <int D>
+void ContactLists<D>::find_pieces(const Model<D>& model) {
+  find_whole_pieces(faces(model), piece_, cut_, surface_);
+  if (part_->whole() || part_->pieces == 0) return;
+  std::vector<std::uint8_t> cut = to_host(cut_, cut_.extent(0));
+  part_->world->any(cut);
+  cut_ = to_device("breccia::contact::cut", cut);
+  find_whole_pieces(faces(model), piece_, cut_, surface_);
 }
 
 template <int D>
@@ -94,11 +133,20 @@ void ContactLists<D>::start(Model<D>& model, const ContactStiffness<D>& rule) {
 
 template <int D>
 void ContactLists<D>::resume(Model<D>& model, const ContactStiffness<D>& rule) {
+  const ContactSurface<D> surface = surface_;
+  const Array<Index> piece = piece_;
+  for_each(
+      "breccia::contact::pieces", surface_.targets, KOKKOS_LAMBDA(Index t) {
+        if (surface.piece(t) != kNone) surface.piece(t) = piece(surface.target(t));
+      });
   make_room(surface_.nodes, surface_.targets);
   refresh_contact_nodes<D>(model.store.template get<ElementNodes<D>>(), surface_);
-  size_ = mean_contact_size(surface_);
+  size_ = mean_size();
+  model.part.skin = std::max(skin_share_, kWidestSkin) * size_;
   finish_contact_pairs(surface_, search_scratch_, pairs_);
   attach(model, rule);
+  // Points whose candidates only others know have memories here, but are not in the lists.
+  if (!part_->whole()) carry(model, false);
   const ReleasedFaces<D> in = faces(model);
   mark_known_releases(in, surface_, known_);
   if (model.releases != releases_) fresh_count_ = list_new_releases(in, known_, fresh_);
@@ -130,7 +178,19 @@ void ContactLists<D>::look(Model<D>& model, const Clock& clock, const ContactSti
   carry(model, released);
   last_look_ = clock.step;
   next_look_ = clock.step + 1;
-  model.step_is_stale = model.step_is_stale || pairs_.pairs > 0;
+  model.step_is_stale = model.step_is_stale || has_own_pairs();
+}
+
+/// Points whose element is another rank's are that one's to tell of.
+template <int D>
+bool ContactLists<D>::has_own_pairs() const {
+  if (part_->whole()) return pairs_.pairs > 0;
+  const Array<Index> point = pairs_.point;
+  const Array<std::uint8_t> own = part_->own;
+  return count_where(
+             "breccia::contact::own_points", pairs_.points, KOKKOS_LAMBDA(Index a) {
+               return own(point(a) / kFacePoints<D> / (D + 1)) != 0;
+             }) > 0;
 }
 
 template <int D>
@@ -156,17 +216,22 @@ bool ContactLists<D>::pressed(Model<D>& model, const Clock& clock) {
   if (seen_releases_ != model.releases) fresh_count_ = list_new_releases(in, known_, fresh_);
   seen_releases_ = model.releases;
   return clock.step >= patience_ ||
-         sides_meet<D>(in, fresh_, fresh_count_, model.store.template get<NodePosition<D>>(),
-                       model.store.template get<NodeVelocity<D>>(), clock.dt);
+         part_->any(sides_meet<D>(in, fresh_, fresh_count_,
+                                  model.store.template get<NodePosition<D>>(),
+                                  model.store.template get<NodeVelocity<D>>(), clock.dt));
 }
 
 template <int D>
 ContactWay ContactLists<D>::way(const Model<D>& model) {
   if (model.splits != listed_splits_) list_contact_nodes(surface_, model.nodes(), nodes_);
   listed_splits_ = model.splits;
-  return contact_way<D>(model.store.template get<NodePosition<D>>(),
-                        model.store.template get<NodeVelocity<D>>(), nodes_,
-                        Kokkos::subview(signals_.value, ContactSignals::rim));
+  ContactWay way = contact_way<D>(model.store.template get<NodePosition<D>>(),
+                                  model.store.template get<NodeVelocity<D>>(), nodes_,
+                                  Kokkos::subview(signals_.value, ContactSignals::rim));
+  if (part_->whole()) return way;
+  std::vector<double> all{way.way, way.speed, static_cast<double>(way.rim)};
+  part_->world->largest(all);
+  return {all[0], all[1], static_cast<Index>(all[2])};
 }
 
 /// True when a node may have left its half of the skin.
@@ -175,7 +240,7 @@ bool ContactLists<D>::far(Model<D>& model, const Clock& clock, const ContactWay&
   const double room = 0.5 * skin_ - now.way;
   if (room < 0) {
     bool late = -room > now.speed * clock.dt_before;
-    if (flyers_.worth_a_look()) {
+    if (part_->whole() && flyers_.worth_a_look()) {
       const FlyingLook look =
           flyers_.look(model, clock, surface_, skin_, clock.step - last_look_, kLongestBlink);
       late = look.late;
@@ -242,11 +307,13 @@ void ContactLists<D>::make_surface(Model<D>& model) {
     in.inserted = face_status::inserted;
   }
   in.share = s.get_or_empty<ElementShare>();
+  if (!part_->whole()) in.mass = s.get<NodeMass>();
   in.thickness = model.thickness;
   in.layers = static_cast<Index>(layers_);
   deeper_exist_ = update_contact_surface(in, scratch_, surface_);
-  size_ = mean_contact_size(surface_);
-  find_whole_pieces(faces(model), piece_, cut_, surface_);
+  deeper_exist_ = part_->any(deeper_exist_);
+  size_ = mean_size();
+  find_pieces(model);
   mark_known_releases(faces(model), surface_, known_);
   releases_ = seen_releases_ = model.releases;
   splits_ = surface_splits_ = model.splits;
@@ -263,6 +330,7 @@ double ContactLists<D>::skin() const {
 template <int D>
 void ContactLists<D>::make_pairs(Model<D>& model, const ContactStiffness<D>& rule) {
   skin_ = skin();
+  model.part.skin = std::max(skin_share_, kWidestSkin) * size_;
   take_contact_places<D>(model.store.template get<NodePosition<D>>(), surface_);
   const double reach = by_parts_ ? contact_part_reach(surface_) : 0;
   search_contacts(surface_, skin_ + reach, search_scratch_, pairs_);

@@ -24,6 +24,8 @@ struct ContactListKeys {
 template <int D>
 class ContactLists {
  public:
+  /// What this rank holds of the scene; it outlives the lists.
+  void follow(const Part& part) { part_ = &part; }
   /// Free faces of the mesh.
   void prepare(const Model<D>& model, const ContactListKeys& keys);
   /// First surface and search; no point remembers anything.
@@ -52,13 +54,22 @@ class ContactLists {
   bool pressed(Model<D>& model, const Clock& clock);
   bool far(Model<D>& model, const Clock& clock, const ContactWay& now);
   bool deepen();
+  void make_signals();
   void clear(Model<D>& model) const;
   void make_surface(Model<D>& model);
   double skin() const;
   void make_pairs(Model<D>& model, const ContactStiffness<D>& rule);
   void attach(Model<D>& model, const ContactStiffness<D>& rule);
   void carry(Model<D>& model, bool released);
+  double mean_size() const;
+  bool has_own_pairs() const;
+  void find_pieces(const Model<D>& model);
+  void give_surface(std::vector<double>& facets, std::vector<double>& targets) const;
+  void take_surface(const std::vector<double>& facets, const std::vector<double>& targets);
+  void give_pairs(std::vector<double>& list) const;
+  void take_pairs(const std::vector<double>& list);
 
+  const Part* part_ = nullptr;
   ContactSurface<D> surface_;
   ContactNodes<D> nodes_;  ///< of the last search and split, see listed_splits_
   ContactPairs<D> pairs_;

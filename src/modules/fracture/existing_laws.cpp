@@ -99,7 +99,8 @@ void put_grain_laws(const InterfaceLaws& laws, const Model<D>& model, std::vecto
       const SharedFace& face = model.topology.shared[f];
       if (grain[face.left] == grain[face.right] || !is_of(face.left) || !is_of(face.right))
         continue;
-      law[f] = grains.law + grades.of<D>(grains.law, f, model.mesh, {face.left, face.left_face});
+      law[f] = grains.law + grades.of<D>(grains.law, model.part.face_number(static_cast<Index>(f)),
+                                         model.mesh, {face.left, face.left_face});
     }
   }
 }
@@ -119,7 +120,7 @@ void put_existing_laws(const InterfaceLaws& laws, const Model<D>& model, std::ve
       const Index n = number[static_cast<std::size_t>(face.element * (D + 1) + face.face)];
       if (n < 0) continue;  // on the surface
       Index chosen =
-          entry.law + grades.of<D>(entry.law, static_cast<std::size_t>(n), model.mesh, face);
+          entry.law + grades.of<D>(entry.law, model.part.face_number(n), model.mesh, face);
       const Point<D> x = middle_of(model.mesh, face);
       for (const auto& [patch, of_patch] : entry.patches)
         if (lies_in<D>(*patch, x)) chosen = of_patch;

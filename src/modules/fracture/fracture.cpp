@@ -1,6 +1,7 @@
 #include "modules/fracture/fracture.hpp"
 
 #include "fields/interface_fields.hpp"
+#include "loops/compact.hpp"
 #include "loops/fault_force.hpp"
 #include "loops/interface_books.hpp"
 #include "loops/interface_breaks.hpp"
@@ -62,6 +63,10 @@ void Fracture<D>::declare(Model<D>& model) {
   s.add<InterfaceStiffness>(key());
   if (contact_follows_) s.add<InterfaceSlip<D>>(key());
   if (contact_remembers(*model.scene)) s.add<InterfaceRubbed<D>>(key());
+  if (model.part.whole()) return;
+  s.add<FaceLife>(key());
+  s.add<FaceOnset>(key());
+  s.add<FaceTipOnset>(key());
 }
 
 template <int D>
@@ -113,8 +118,9 @@ void Fracture<D>::fill_faces(Model<D>& model) {
     of_element(face.right, face.right_face) = static_cast<Index>(f);
   }
   const std::vector<Index> law = law_of_faces(laws_, model);
-  breakable_ = static_cast<Index>(
-      std::count_if(law.begin(), law.end(), [](Index of_face) { return of_face != kNone; }));
+  breakable_ = 0;
+  for (std::size_t f = 0; f < law.size(); ++f)
+    if (law[f] != kNone && model.part.owns_element(shared[f].left)) ++breakable_;
   Kokkos::deep_copy(s.get<FaceElements>(), elements);
   Kokkos::deep_copy(s.get<FaceCode>(), code);
   Kokkos::deep_copy(s.get<ElementFaces<D>>(), of_element);
@@ -122,6 +128,7 @@ void Fracture<D>::fill_faces(Model<D>& model) {
 
 template <int D>
 void Fracture<D>::enlist(Model<D>& model, Plan& plan) {
+  if (!model.part.whole()) return enlist_shared(model, plan);
   plan.add(Stage::interface_force, "fracture::interface_force", key(),
            [this, &model](const Clock& clock) { forces(model, clock); })
       .template reading<NodePosition<D>, ElementNodes<D>>()
@@ -134,6 +141,82 @@ void Fracture<D>::enlist(Model<D>& model, Plan& plan) {
            })
       .template reading<ElementHot, ElementForce<D>, InterfaceForce<D>, NodePosition<D>>()
       .template writing<FaceStatus, NodeCorners, CornerList, ElementNodes<D>, InterfaceForce<D>>();
+}
+
+/// The same with other ranks: who knows all about a face tells those who do not.
+template <int D>
+void Fracture<D>::enlist_shared(Model<D>& model, Plan& plan) {
+  plan.add(Stage::interface_force, "fracture::interface_force", key(),
+           [this, &model](const Clock& clock) { act_and_tell(model, clock); })
+      .template reading<ElementNodes<D>>()
+      .template reading_ghosts<NodePosition<D>>()
+      .template writing<InterfaceForce<D>, InterfaceStates<D>, FaceLife>();
+  plan.add(Stage::interface_force, "fracture::breaks", key(),
+           [this, &model](const Clock& clock) { hear(model, clock); })
+      .template reading_ghosts<FaceLife>()
+      .template writing<FaceStatus>();
+  plan.add(Stage::split, "fracture::onset", key(),
+           [this, &model](const Clock&) {
+             if (changes_seen_ != model.surface_changes) open_rims(model);
+             insertion_.mark_onset(model);
+           })
+      .template reading<ElementHot, NodePosition<D>>()
+      .template writing<FaceOnset>();
+  plan.add(Stage::split, "fracture::tips", key(),
+           [this, &model](const Clock&) { insertion_.mark_at_tips(model); })
+      .template reading<ElementForce<D>, InterfaceForce<D>>()
+      .template reading_ghosts<FaceOnset>()
+      .template writing<FaceTipOnset>();
+  plan.add(Stage::split, "fracture::split", key(),
+           [this, &model](const Clock&) {
+             const Index found = insertion_.finish_check(model);
+             if (found > 0) join(model, found);
+           })
+      .template reading<ElementForce<D>, InterfaceForce<D>, NodePosition<D>>()
+      .template reading_ghosts<FaceTipOnset>()
+      .template writing<FaceStatus, NodeCorners, CornerList, ElementNodes<D>, InterfaceForce<D>>();
+}
+
+namespace {
+
+/// Lives of inserted faces: what is known here goes out, what only others know comes in.
+void tell_lives(Index count, const ConstArray<InterfaceRecord>& record,
+                const ConstArray<std::uint8_t>& life, const Array<std::uint8_t>& told) {
+  for_each(
+      "breccia::fracture::tell_lives", count,
+      KOKKOS_LAMBDA(Index i) { told(record(i).face) = life(i); });
+}
+
+Index hear_lives(Index count, const ConstArray<InterfaceRecord>& record,
+                 const ConstArray<std::uint8_t>& sure, const ConstArray<std::uint8_t>& told,
+                 const Array<std::uint8_t>& life) {
+  return scan(
+      "breccia::fracture::hear_lives", count, KOKKOS_LAMBDA(Index i, Index & aged, bool last) {
+        const Index face = record(i).face;
+        if (sure(face) != 0 || told(face) <= life(i) || told(face) == interface_life::gone) return;
+        ++aged;
+        if (last) life(i) = told(face);
+      });
+}
+
+}  // namespace
+
+template <int D>
+void Fracture<D>::act_and_tell(Model<D>& model, const Clock& clock) {
+  if (lists_are_stale_ || leaving_ > 0) retire(model);
+  aged_ = lists_.size() == 0 ? 0 : act(model, clock);
+  if (lists_.size() > 0) book_forces(model);
+  const Store& s = model.store;
+  tell_lives(s.count(Entity::interface), s.get<InterfaceRecords>(), s.get<InterfaceLife>(),
+             s.get<FaceLife>());
+}
+
+template <int D>
+void Fracture<D>::hear(Model<D>& model, const Clock& clock) {
+  const Store& s = model.store;
+  aged_ += hear_lives(s.count(Entity::interface), s.get<InterfaceRecords>(), model.part.sure_face,
+                      s.get<FaceLife>(), s.get<InterfaceLife>());
+  if (aged_ > 0) collect_breaks(model, clock);
 }
 
 template <int D>
@@ -194,6 +277,7 @@ Index Fracture<D>::act(const Model<D>& model, const Clock& clock) const {
   in.rate = clock.dt_before > 0 ? 1 / clock.dt_before : 0;
   in.leave_broken = contact_follows_;
   in.thickness = model.thickness;
+  in.sure = model.part.sure_face;
   const InterfaceForceOut<D> out{s.get<InterfaceStates<D>>(), s.get<InterfaceEnergies<D>>(),
                                  s.get<InterfacePairForce<D>>(), s.get<InterfaceLife>()};
   const FaultForceOut<D> at_fault{
@@ -233,9 +317,15 @@ void Fracture<D>::collect_breaks(Model<D>& model, const Clock& clock) {
     breaks.release(changed_, found, s.get<ElementNodes<D>>(), s.get<NodePosition<D>>(),
                    s.get<InterfaceStates<D>>(), s.get_or_empty<InterfaceSlip<D>>(),
                    s.get_or_empty<InterfaceRubbed<D>>());
-    const std::vector<Event> events = break_events(model, changed_, found, clock.time);
+    Index counted = found;
+    if (!model.part.whole()) {
+      make_room(counted_, "breccia::fracture::counted", found);
+      counted = breaks.keep_own(changed_, found, model.part.own, counted_);
+    }
+    const std::vector<Event> events =
+        break_events(model, model.part.whole() ? changed_ : counted_, counted, clock.time);
     events_.insert(events_.end(), events.begin(), events.end());
-    released_ += found;
+    released_ += counted;
     ++model.releases;
   }
   leaving_ = breaks.leaving();
@@ -253,7 +343,7 @@ InterfaceSums Fracture<D>::sums(const Model<D>& model) const {
   const Store& s = model.store;
   return InterfaceBooks<D>{interface_map<D>(s)}.energies(
       s.get<InterfaceStates<D>>(), s.get_or_empty<InterfaceFaults<D>>(),
-      s.get<InterfaceEnergies<D>>(), kind_, s.count(Entity::interface));
+      s.get<InterfaceEnergies<D>>(), kind_, model.part.own, s.count(Entity::interface));
 }
 
 template <int D>
@@ -270,10 +360,10 @@ template <int D>
 void Fracture<D>::observe(Model<D>& model, const Clock&, Moment moment, Row& row) {
   if (moment != Moment::before) return;
   const InterfaceSums sum = sums(model);
-  row.set("inserted", model.store.count(Entity::interface));
-  row.set("released", static_cast<double>(released_));
-  row.set("crack_area", sum.broken_area);
-  row.set("crack_energy", sum.tension + sum.shear);
+  row.set("inserted", sum.count, Merge::sum);
+  row.set("released", static_cast<double>(released_), Merge::sum);
+  row.set("crack_area", sum.broken_area, Merge::sum);
+  row.set("crack_energy", sum.tension + sum.shear, Merge::sum);
 }
 
 template <int D>
@@ -289,7 +379,7 @@ std::vector<Event> Fracture<D>::take_events() {
 
 template <int D>
 void Fracture<D>::count(Model<D>& model, Counts& counts) const {
-  const std::int64_t made = model.store.count(Entity::interface);
+  const auto made = static_cast<std::int64_t>(sums(model).count);
   counts.bonded += breakable_ - made;
   counts.inserted += made - released_;
   counts.released += released_;
@@ -299,10 +389,10 @@ template <int D>
 void Fracture<D>::archive(Archive& archive) {
   static_assert(sizeof(Event) % sizeof(double) == 0);
   constexpr std::size_t kNumbers = sizeof(Event) / sizeof(double);
-  archive.integer("fracture.released", released_);
+  archive.total("fracture.released", released_);
   std::vector<double> events(events_.size() * kNumbers);
   std::memcpy(events.data(), events_.data(), events.size() * sizeof(double));
-  archive.numbers("fracture.events", events);
+  archive.list("fracture.events", events);
   events_.resize(events.size() / kNumbers);
   std::memcpy(events_.data(), events.data(), events.size() * sizeof(double));
 }

@@ -31,13 +31,16 @@ class Fracture final : public Module<D> {
   std::vector<Event> take_events() override;
   void count(Model<D>& model, Counts& counts) const override;
   std::size_t bytes() const override {
-    return insertion_.bytes() + lists_.bytes() + bytes_of(kind_, changed_);
+    return insertion_.bytes() + lists_.bytes() + bytes_of(kind_, changed_, counted_);
   }
   void archive(Archive& archive) override;
 
  private:
   void fill_faces(Model<D>& model);
+  void enlist_shared(Model<D>& model, Plan& plan);
   void forces(Model<D>& model, const Clock& clock);
+  void act_and_tell(Model<D>& model, const Clock& clock);
+  void hear(Model<D>& model, const Clock& clock);
   void retire(Model<D>& model);
   Index act(const Model<D>& model, const Clock& clock) const;
   void book_forces(const Model<D>& model) const;
@@ -54,11 +57,13 @@ class Fracture final : public Module<D> {
   std::int64_t changes_seen_ = 0;  ///< of Model::surface_changes
   bool lists_are_stale_ = true;    ///< not made yet for this state
   Index leaving_ = 0;              ///< interfaces whose last force acts in this step
-  Index breakable_ = 0;            ///< faces that have a law
+  Index breakable_ = 0;            ///< own faces that have a law
+  Index aged_ = 0;                 ///< lives that changed in this step, with many ranks
   std::int64_t released_ = 0;
   Insertion<D> insertion_;
   InterfaceLists<D> lists_;
   Array<Index> changed_;  ///< interfaces that broke in this step
+  Array<Index> counted_;  ///< those of them that this rank owns
   std::vector<Event> events_;
 };
 

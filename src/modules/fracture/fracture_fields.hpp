@@ -57,6 +57,29 @@ struct InterfaceBreakTime {
                                   "when the face broke; 0 while it holds"};
 };
 
+// What ranks tell one another of faces that they share; there with many ranks only.
+
+/// Life of the face's interface.
+struct FaceLife {
+  using View = Array<std::uint8_t>;
+  static constexpr FieldInfo info{"face_life", Entity::face, "1", Restart::no,
+                                  "interface_life of an inserted face"};
+};
+
+/// 1 where a face is to be inserted by the mean stress of its elements.
+struct FaceOnset {
+  using View = Array<std::uint8_t>;
+  static constexpr FieldInfo info{"face_onset", Entity::face, "1", Restart::no,
+                                  "1 where the face is beyond its onset in this step"};
+};
+
+/// 1 where a face is to be inserted at a tip.
+struct FaceTipOnset {
+  using View = Array<std::uint8_t>;
+  static constexpr FieldInfo info{"face_tip_onset", Entity::face, "1", Restart::no,
+                                  "1 where a tip opens the face in this step"};
+};
+
 struct InterfaceStiffness {
   using View = Array<double>;
   static constexpr FieldInfo info{"interface_stiffness", Entity::node, "N/m", Restart::no,

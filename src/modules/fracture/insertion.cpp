@@ -129,6 +129,54 @@ Index Insertion<D>::check(Model<D>& model) {
   return found;
 }
 
+namespace {
+
+/// Raises the marks of listed faces about which everything is known here.
+void mark_sure(const Array<Index>& faces, Index count, const Array<std::uint8_t>& sure,
+               const Array<std::uint8_t>& marks) {
+  Kokkos::deep_copy(marks, std::uint8_t{0});
+  for_each(
+      "breccia::fracture::mark_sure", count,
+      KOKKOS_LAMBDA(Index k) { marks(faces(k)) = sure(faces(k)); });
+}
+
+}  // namespace
+
+template <int D>
+void Insertion<D>::mark_onset(Model<D>& model) {
+  inserted_ = 0;
+  faults_now_ = false;
+  if (!faults_started_) {
+    inserted_ = start_faults(model);
+    faults_now_ = model.part.any(inserted_ > 0);
+  }
+  const Index found = faults_now_ ? 0 : find_hot(model);
+  mark_sure(found_, found, model.part.sure_face, model.store.template get<FaceOnset>());
+}
+
+template <int D>
+void Insertion<D>::mark_at_tips(Model<D>& model) {
+  inserted_ += insert_marked(model, model.store.template get<FaceOnset>());
+  const Index found = faults_now_ ? 0 : tips_.find(at_tips(model));
+  mark_sure(tips_.found(), found, model.part.sure_face, model.store.template get<FaceTipOnset>());
+}
+
+template <int D>
+Index Insertion<D>::finish_check(Model<D>& model) {
+  inserted_ += insert_marked(model, model.store.template get<FaceTipOnset>());
+  if (inserted_ > 0) split(model);
+  return inserted_;
+}
+
+template <int D>
+Index Insertion<D>::insert_marked(Model<D>& model, const Array<std::uint8_t>& marks) {
+  const Index faces = model.store.count(Entity::face);
+  make_room(found_, "breccia::fracture::onset_faces", faces);
+  const Index found = compact("breccia::fracture::marked_faces", marks, faces, found_);
+  if (found > 0) insert(model, found_, found);
+  return found;
+}
+
 template <int D>
 TipOnsetIn<D> Insertion<D>::at_tips(const Model<D>& model) const {
   const Store& s = model.store;
@@ -281,8 +329,8 @@ void Insertion<D>::split_rims(Model<D>& model) {
       "breccia::fracture::rims", s.count(Entity::face), KOKKOS_LAMBDA(Index f) {
         if (status(f) != face_status::cut) return;
         for (int c = 0; c < D; ++c) {
-          const auto at = faces.left(f, c);
-          raise(touched, family(nodes(at.element, at.node)));
+          for (const auto& at : {faces.left(f, c), faces.right(f, c)})
+            raise(touched, family(nodes(at.element, at.node)));
         }
       });
   split(model);

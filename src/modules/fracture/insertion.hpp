@@ -21,6 +21,11 @@ class Insertion {
   /// it is zero.
   Index check(Model<D>& model);
 
+  // The same in parts, between which the ranks tell one another what they have found.
+  void mark_onset(Model<D>& model);   ///< writes FaceOnset
+  void mark_at_tips(Model<D>& model);  ///< inserts what FaceOnset says, writes FaceTipOnset
+  Index finish_check(Model<D>& model);
+
   /// Splits the nodes at faces that joined what is excavated to the rest.
   void split_rims(Model<D>& model);
 
@@ -37,6 +42,7 @@ class Insertion {
  private:
   Index start_faults(Model<D>& model);
   Index find_hot(Model<D>& model);
+  Index insert_marked(Model<D>& model, const Array<std::uint8_t>& marks);
   TipOnsetIn<D> at_tips(const Model<D>& model) const;
   void insert(Model<D>& model, const Array<Index>& faces, Index count);
   void split(Model<D>& model);
@@ -48,6 +54,8 @@ class Insertion {
 
   InterfaceLaws table_;
   bool faults_started_ = true;
+  Index inserted_ = 0;       ///< so far in this check
+  bool faults_now_ = false;  ///< this check starts faults, on some rank
   Array<InterfaceLaw> laws_;
   Array<std::uint16_t> law_of_;  ///< of faces
   Array<InterfaceSide> sides_;

@@ -282,17 +282,18 @@ void Motion<D>::observe(Model<D>& model, const Clock&, Moment moment, Row& row) 
         }
       });
   const Sums<7> total = total_of(rows);
-  row.set("mass", total[0]);
-  for (int d = 0; d < D; ++d) row.set(std::string("momentum.") + "xyz"[d], total[1 + d]);
+  row.set("mass", total[0], Merge::sum);
+  for (int d = 0; d < D; ++d)
+    row.set(std::string("momentum.") + "xyz"[d], total[1 + d], Merge::sum);
   for (int d = D == 2 ? 2 : 0; d < 3; ++d)
-    row.set(std::string("angular_momentum.") + "xyz"[d], total[4 + d]);
+    row.set(std::string("angular_momentum.") + "xyz"[d], total[4 + d], Merge::sum);
 }
 
 template <int D>
 void Motion<D>::archive(Archive& archive) {
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, work_);
   std::vector<double> rows(host.data(), host.data() + host.size());
-  archive.numbers("motion.work", rows);
+  archive.sums("motion.work", rows, kWorks);
   if (!archive.loading()) return;
   work_ = ChunkSums<kWorks>("breccia::motion::work", rows.size() / kWorks);
   const auto mirror = Kokkos::create_mirror_view(work_);

@@ -63,7 +63,7 @@ Sym<3> exponential(const Sym<3>& a) {
 void archive_rows(Archive& archive, std::size_t block, ElementSums& rows) {
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, rows);
   std::vector<double> values(host.data(), host.data() + host.size());
-  archive.numbers(fmt::format("solid.sums.{}", block), values);
+  archive.sums(fmt::format("solid.sums.{}", block), values, element_sum::count);
   if (!archive.loading()) return;
   rows = ElementSums("breccia::solid::sums", values.size() / element_sum::count);
   const auto mirror = Kokkos::create_mirror_view(rows);
@@ -157,6 +157,12 @@ void Solid<D>::resume(Model<D>& model) {
     lame(m, 0) = anisotropic_[m].modulus - 2 * material.mu();
   }
   Kokkos::deep_copy(model.store.template get<MaterialLame>(), lame);
+  for (std::size_t b = 0; b < sums_.size(); ++b) {
+    const auto rows = static_cast<std::size_t>(chunks_of(model.blocks[b].end - model.blocks[b].begin));
+    if (sums_[b].extent(0) < rows) Kokkos::resize(sums_[b], rows);
+    if (!model.part.whole())
+      Kokkos::deep_copy(Kokkos::subview(sums_[b], Kokkos::ALL, int(element_sum::stored)), 0.0);
+  }
   bad_ = Array<Index>("breccia::solid::bad", 1);
   Kokkos::deep_copy(bad_, kNobody);
 }
@@ -165,7 +171,7 @@ template <int D>
 void Solid<D>::enlist(Model<D>& model, Plan& plan) {
   plan.add(Stage::element_force, "solid::element_force", key(),
            [this, &model](const Clock& clock) { forces(model, clock); })
-      .template reading<NodePosition<D>, NodeVelocity<D>>()
+      .template reading_ghosts<NodePosition<D>, NodeVelocity<D>>()
       .template writing<ElementForce<D>, ElementHot>();
 }
 
@@ -196,6 +202,7 @@ ElementForceIn<D> Solid<D>::input(const Model<D>& model, const Block& block,
   in.dt = clock.dt_before;
   in.thickness = model.thickness;
   in.smallest_jacobian = kSmallestJacobian;
+  in.own = model.part.own;
   // An upper bound stays one if strengths are lower by more than single precision rounds.
   const double cautious = model.mixed ? 1 + 1e-5 : 1;
   in.watch = StressWatch<D>(block.watch.per_tension * cautious, block.watch.per_cohesion * cautious,
