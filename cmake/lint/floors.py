@@ -18,8 +18,9 @@ SOURCE = {
 }
 MODULE = BELOW_S3 | {"step", "point", "loops"}
 SCENE = MODULE | {"comm", "io", "modules"}
-STUDY = SCENE | {"scene"}
-ALLOWED = {**KERNEL, **SOURCE, "scene": SCENE, "study": STUDY, "app": STUDY | {"study"}}
+JOBS = SCENE | {"scene"}
+MANY = JOBS | {"jobs"}  # rooms that run many scenes
+ALLOWED = {**KERNEL, **SOURCE, "scene": SCENE, "jobs": JOBS, "study": MANY, "batch": MANY, "app": MANY | {"study", "batch"}}
 
 # Who may include what from outside: pattern of the header, pattern of the files that may.
 DOORS = [

@@ -4,8 +4,8 @@
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/schema.hpp"
+#include "jobs/process.hpp"
 #include "scene/commands.hpp"
-#include "study/process.hpp"
 #include "study/solutions.hpp"
 #include "study/study.hpp"
 

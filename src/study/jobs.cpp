@@ -5,18 +5,14 @@
 #include "io/aside_file.hpp"
 #include "io/json.hpp"
 #include "io/json_reader.hpp"
+#include "jobs/outcome.hpp"
+#include "jobs/queue.hpp"
 #include "scene/interrupt.hpp"
-#include "study/process.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <deque>
-#include <fstream>
 #include <map>
 #include <memory>
-#include <thread>
 
 namespace breccia {
 
@@ -24,27 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* kJobFile = "job.json";
-constexpr double kPatience = 30;  // s that a job has to stop when it is asked to
 
-/// The last message of a run, without what follows it.
-std::string last_error(const std::string& log) {
-  std::ifstream file(log);
-  std::string found;
-  for (std::string line; std::getline(file, line);)
-    if (line.rfind("error: ", 0) == 0) found = line.substr(7);
-  return found;
-}
-
-/// Why a run has no result; empty where it has one.
-std::string trouble_of(const Ending& ending, const std::string& folder) {
-  if (ending.signal != 0) return signal_text(ending.signal);
-  if (ending.status != 0 && ending.status != 3) {  // 3: a check failed, which is a result
-    const std::string said = last_error(folder + "/log.txt");
-    return said.empty() ? fmt::format("exit status {}", ending.status) : said;
-  }
-  const Json report = read_json(folder + "/report.json");
-  if (report["status"].text() != "complete") return report["reason"].text();
-  const bool rests = report["rest"].object().empty() || report["rest"]["reached"].flag();
+/// Why a job has no result; a scene that is to come to rest must have done so.
+std::string trouble_in(const Ending& ending, const std::string& folder, const Study& study) {
+  const std::string trouble = trouble_of(ending, folder, study.time_limit);
+  if (!trouble.empty()) return trouble;
+  const Json rest = read_json(folder + "/report.json")["rest"];
+  const bool rests = rest.object().empty() || rest["reached"].flag();
   return rests ? "" : "it did not come to rest; give it a longer run.duration";
 }
 
@@ -86,37 +68,23 @@ std::map<std::string, fs::path> earlier(const fs::path& output) {
 
 class Runner {
  public:
-  Runner(const Study& study, const Inspector& inspect) : study_(study), inspect_(inspect) {
+  Runner(const Study& study, const Inspector& inspect)
+      : study_(study), inspect_(inspect), queue_(study.side_by_side, study.time_limit) {
     runs_.outcomes.resize(study.jobs.size());
   }
 
   Runs all() {
     fs::create_directories(study_.output);
     take_over();
-    watch_for_interrupt();
-    while (!waiting_.empty() || !running_.empty()) {
-      if (interrupted() && !runs_.interrupted) stop();
-      while (!runs_.interrupted && !waiting_.empty() &&
-             running_.size() < static_cast<std::size_t>(study_.side_by_side)) {
-        start(waiting_.front());
-        waiting_.pop_front();
-      }
-      if (running_.empty()) break;
-      look();
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
+    queue_.run([this](std::size_t job) { return start(job); },
+               [this](std::size_t job, const Ending& ending) { finish(job, ending); });
+    runs_.interrupted = interrupted();
     for (std::size_t i = 0; i < study_.jobs.size(); ++i)
       runs_.outcomes[i] = runs_.outcomes[study_.jobs[i].same_as];
     return std::move(runs_);
   }
 
  private:
-  struct Running {
-    std::size_t job;
-    std::unique_ptr<Process> process;
-    bool late = false;
-  };
-
   [[nodiscard]] std::string folder(std::size_t job) const {
     return (study_.output / study_.jobs[job].folder).string();
   }
@@ -130,7 +98,7 @@ class Runner {
       const auto at = found.find(job.identity);
       if (at != found.end()) adopt(i, at->second);
       const auto repeats = static_cast<std::size_t>(study_.repeats);
-      for (std::size_t r = runs_.outcomes[i].wall.size(); r < repeats; ++r) waiting_.push_back(i);
+      for (std::size_t r = runs_.outcomes[i].wall.size(); r < repeats; ++r) queue_.add(i);
     }
   }
 
@@ -148,9 +116,9 @@ class Runner {
     read_report(here.string(), outcome);
   }
 
-  void start(std::size_t i) {
+  std::unique_ptr<Process> start(std::size_t i) {
     const Job& job = study_.jobs[i];
-    if (!runs_.outcomes[i].reason.empty()) return;  // a repeat of what has failed
+    if (!runs_.outcomes[i].reason.empty()) return nullptr;  // a repeat of what has failed
     fs::create_directories(folder(i));
     std::vector<std::string> command{study_.program, "run", study_.scene.string()};
     for (const std::string& option : job.options) {
@@ -161,33 +129,16 @@ class Runner {
     command.push_back(std::to_string(study_.threads));
     command.emplace_back("--output");
     command.push_back(folder(i));
-    running_.push_back({i, std::make_unique<Process>(command, folder(i) + "/log.txt"), false});
+    return std::make_unique<Process>(command, folder(i) + "/" + kLogFile);
   }
 
-  void look() {
-    for (std::size_t r = 0; r < running_.size();) {
-      Running& one = running_[r];
-      one.late = study_.time_limit && one.process->seconds() > *study_.time_limit;
-      if (one.late || (runs_.interrupted && since_stop() > kPatience)) one.process->kill();
-      const auto ending = one.process->ended();
-      if (!ending) {
-        ++r;
-        continue;
-      }
-      finish(one, *ending);
-      running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(r));
-    }
-  }
-
-  void finish(const Running& one, const Ending& ending) {
-    if (runs_.interrupted || interrupted())
-      return;  // not a result: the next call begins this job anew
-    JobResult& outcome = runs_.outcomes[one.job];
+  void finish(std::size_t job, const Ending& ending) {
+    if (interrupted()) return;  // not a result: the next call begins this job anew
+    JobResult& outcome = runs_.outcomes[job];
     try {
-      outcome.reason = one.late ? fmt::format("longer than {}", duration_text(*study_.time_limit))
-                                : trouble_of(ending, folder(one.job));
+      outcome.reason = trouble_in(ending, folder(job), study_);
       if (outcome.reason.empty()) {
-        read_report(folder(one.job), outcome);
+        read_report(folder(job), outcome);
         outcome.wall.push_back(ending.wall);
         outcome.processor.push_back(ending.processor);
       }
@@ -196,9 +147,9 @@ class Runner {
     }
     outcome.complete = outcome.reason.empty();
     outcome.reused = false;
-    write_job(folder(one.job), study_.jobs[one.job], outcome);
-    say(one.job, outcome);
-    if (outcome.complete && inspect_) inspect_(one.job);
+    write_job(folder(job), study_.jobs[job], outcome);
+    say(job, outcome);
+    if (outcome.complete && inspect_) inspect_(job);
   }
 
   void say(std::size_t job, const JobResult& outcome) {
@@ -208,23 +159,10 @@ class Runner {
         fmt::format("{} of {}  {}: {}", job + 1, study_.jobs.size(), study_.jobs[job].label, what));
   }
 
-  void stop() {
-    runs_.interrupted = true;
-    stopped_ = Clock::now();
-    for (const Running& one : running_) one.process->interrupt();
-  }
-
-  [[nodiscard]] double since_stop() const {
-    return std::chrono::duration<double>(Clock::now() - stopped_).count();
-  }
-
-  using Clock = std::chrono::steady_clock;
   const Study& study_;
   const Inspector& inspect_;
   Runs runs_;
-  std::deque<std::size_t> waiting_;
-  std::vector<Running> running_;
-  Clock::time_point stopped_;
+  JobQueue queue_;
 };
 
 }  // namespace

@@ -2,11 +2,9 @@
 
 #include "core/error.hpp"
 #include "core/log.hpp"
-#include "study/process.hpp"
+#include "jobs/process.hpp"
 
-#include <chrono>
 #include <cstdlib>
-#include <thread>
 
 namespace breccia {
 
@@ -31,9 +29,8 @@ std::string plotter(const fs::path& program) {
 bool drawn(const std::string& plot, const Study& study) {
   try {
     Process process({plot, study.output.string()}, (study.output / "plot.log").string());
-    std::optional<Ending> ending;
-    while (!(ending = process.ended())) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    return ending->status == 0 && ending->signal == 0;
+    const Ending ending = process.wait();
+    return ending.status == 0 && ending.signal == 0;
   } catch (const Error&) {
     return false;
   }

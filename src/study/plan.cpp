@@ -1,19 +1,16 @@
 #include "study/plan.hpp"
 
-#include "core/build_info.hpp"
 #include "core/expression.hpp"
 #include "core/text.hpp"
-#include "io/digest.hpp"
 #include "io/number_table.hpp"
-#include "io/scene_reader.hpp"
+#include "jobs/identity.hpp"
+#include "jobs/knobs.hpp"
+#include "jobs/source.hpp"
 #include "scene/commands.hpp"
-#include "study/knobs.hpp"
 #include "study/ladder.hpp"
 #include "study/solutions.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 namespace breccia {
 
@@ -22,87 +19,19 @@ namespace {
 namespace fs = std::filesystem;
 using Options = std::vector<std::string>;
 
-bool about_study(const std::string& option) {
-  return trimmed(option).rfind("study.", 0) == 0;
+/// Tables lie beside the file of the study, which need not be that of the scene.
+void place_tables(SceneSource& source) {
+  Config* quantities = source.section().find("quantity");
+  if (source.file() == source.scene() || quantities == nullptr ||
+      !quantities->is(Config::Kind::array))
+    return;
+  for (Config& quantity : quantities->array()) {
+    Config* table = quantity.find("table");
+    if (table == nullptr || !table->is(Config::Kind::text)) continue;
+    const fs::path beside = fs::absolute(source.file()).parent_path() / table->text();
+    *table = Config(beside.lexically_normal().string(), table->place());
+  }
 }
-
-Config without_study(Config scene) {
-  Config::Table& table = scene.table();
-  std::erase_if(table, [](const Config::Entry& entry) { return entry.first == "study"; });
-  return scene;
-}
-
-/// The scene with its [study], which may stand in a file of its own.
-class Source {
- public:
-  explicit Source(const StudyRequest& request) {
-    file_ = find_scene_file(request.scene);
-    Options about, others;
-    for (const std::string& option : request.options)
-      (about_study(option) ? about : others).push_back(option);
-    const Config own = read_scene(file_, about);
-    const Config* study = own.find("study");
-    if (study == nullptr) {
-      throw Error(file_.string(), "the scene has no [study]",
-                  "add [study] with a [[study.knob]] and a [[study.quantity]]; docs/study.md");
-    }
-    study_ = *study;
-    scene_ = file_;
-    if (const Config* named = study->find("scene"); named != nullptr) refer(own, *named);
-    add_set(*study);
-    shared_.insert(shared_.end(), others.begin(), others.end());
-  }
-
-  /// With the options of a job; without [study].
-  [[nodiscard]] Config read(const Options& options) const {
-    Options all = shared_;
-    all.insert(all.end(), options.begin(), options.end());
-    return without_study(read_scene(scene_, all));
-  }
-
-  /// With [study], to be resolved once.
-  [[nodiscard]] Config whole() const {
-    Config scene = read({});
-    scene.table().emplace_back("study", study_);
-    return scene;
-  }
-
-  [[nodiscard]] const fs::path& scene() const { return scene_; }
-  [[nodiscard]] const fs::path& file() const { return file_; }
-  [[nodiscard]] const Options& shared() const { return shared_; }
-
- private:
-  void refer(const Config& own, const Config& named) {
-    if (!named.is(Config::Kind::text)) return;  // the schema says what is wrong
-    for (const auto& [key, value] : own.table()) {
-      if (key == "study" || key == "title") continue;
-      throw Error(value.place().text(),
-                  key + ": study.scene names another file, so this one holds [study] alone",
-                  "put the change into study.set, or leave study.scene out");
-    }
-    scene_ = find_scene_file((file_.parent_path() / named.text()).lexically_normal());
-    Config* quantities = study_.find("quantity");
-    if (quantities == nullptr || !quantities->is(Config::Kind::array)) return;
-    for (Config& quantity : quantities->array()) {
-      Config* table = quantity.find("table");
-      if (table == nullptr || !table->is(Config::Kind::text)) continue;
-      const fs::path beside = fs::absolute(file_).parent_path() / table->text();
-      *table = Config(beside.lexically_normal().string(), table->place());
-    }
-  }
-
-  /// Whether `set` is a list of texts is for the schema to say.
-  void add_set(const Config& study) {
-    const Config* set = study.find("set");
-    if (set == nullptr || !set->is(Config::Kind::array)) return;
-    for (const Config& option : set->array())
-      if (option.is(Config::Kind::text)) shared_.push_back(option.text());
-  }
-
-  fs::path file_, scene_;
-  Config study_;
-  Options shared_;
-};
 
 Knob read_knob(const Settings& section, const Config& scene) {
   Knob knob;
@@ -205,37 +134,12 @@ Judged read_quantity(const Settings& section, const Settings& scene) {
   return judged;
 }
 
-/// Files that a scene names count as what is in them.
-void add_files(const Settings& section, std::string& text) {
-  for (const Settings::Value& v : section.values()) {
-    const auto* word = std::get_if<std::string>(&v.value);
-    std::error_code trouble;
-    if (word == nullptr || !fs::path(*word).is_absolute() || !fs::is_regular_file(*word, trouble))
-      continue;
-    std::ifstream file(*word, std::ios::binary);
-    std::ostringstream content;
-    content << file.rdbuf();
-    text += fingerprint(content.str());
-  }
-  for (const Settings::Group& group : section.groups())
-    for (const Settings& member : group.members) add_files(member, text);
-}
-
-std::string identity_of(const Settings& scene, int threads) {
-  std::ostringstream resolved;
-  scene.write_resolved(resolved);
-  const BuildInfo& build = build_info();
-  std::string text = resolved.str() + std::to_string(threads);
-  text.append(build.version).append(build.commit).append(build.build_type).append(build.compiler);
-  add_files(scene, text);
-  return fingerprint(text);
-}
-
 /// Resolves a job; what is wrong with it is told at the place of its knobs.
-void settle(Job& job, const Study& study, const Source& source, const Schema& schema,
+void settle(Job& job, const Study& study, const SceneSource& source, const Schema& schema,
             const Settings& section) {
   try {
-    job.identity = identity_of(schema.resolve(source.read(job.options)), study.threads);
+    job.identity =
+        job_identity(schema.resolve(source.read(job.options)), std::to_string(study.threads));
   } catch (const Error& e) {
     throw Error(section.place(),
                 "study: the job '" + job.label + "' is no right scene: " + e.cause(), e.remedy());
@@ -255,7 +159,8 @@ void read_options(const Settings& section, const StudyRequest& request, Study& s
 }  // namespace
 
 Study plan_study(const StudyRequest& request) {
-  const Source source(request);
+  SceneSource source("study", request.scene, request.options);
+  place_tables(source);
   Schema schema;
   declare_schema(schema);
   const Settings scene = schema.resolve(source.whole());
@@ -263,8 +168,7 @@ Study plan_study(const StudyRequest& request) {
   Study study;
   read_options(section, request, study);
   study.title = scene.text_or("title", "");
-  const fs::path& file = source.file();
-  study.name = file.stem() == "scene" ? fs::absolute(file).parent_path().filename() : file.stem();
+  study.name = source.name();
   study.scene = source.scene();
   study.output = request.output ? *request.output : fs::path(study.name + ".study");
   const Config base = source.read({});

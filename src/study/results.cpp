@@ -2,10 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/expression.hpp"
-#include "core/text.hpp"
-#include "io/json_reader.hpp"
-#include "io/number_table.hpp"
-#include "scene/verdict.hpp"
+#include "jobs/run_results.hpp"
 #include "study/ladder.hpp"
 
 #include <fmt/format.h>
@@ -18,18 +15,6 @@ namespace breccia {
 namespace {
 
 constexpr double none = JobResult::kNone;
-
-/// What a finished run has told, as its own [[check]]s saw it.
-Results read_results(const std::filesystem::path& folder) {
-  NumberTable history = read_number_table((folder / "history.csv").string());
-  Results results;
-  results.columns = std::move(history.columns);
-  results.rows = std::move(history.rows);
-  const Json report = read_json((folder / "report.json").string());
-  for (const auto& [name, number] : report["numbers"].object())
-    results.numbers.emplace_back(name, number.number());
-  return results;
-}
 
 class Evaluated {
  public:
@@ -229,19 +214,11 @@ double seconds_of(const Study& study, const JobResult& outcome) {
 }
 
 void check_names(const Judged& judged, const std::filesystem::path& folder) {
-  const Results results = read_results(folder);
-  const std::vector<std::string> known = quantities_of(results).names;
   std::vector<std::string> formulas{judged.value};
   if (judged.against == Judged::Against::value) formulas.push_back(judged.reference);
   if (!judged.scale.empty()) formulas.push_back(judged.scale);
   if (judged.curve_x != "time" && !judged.curve_x.empty()) formulas.push_back(judged.curve_x);
-  for (const std::string& formula : formulas) {
-    for (const std::string& name : Expression(formula).names()) {
-      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-      throw Error("", "this run has no '" + name + "'." + did_you_mean(name, known),
-                  "docs/output.md lists columns and results; sensors add theirs");
-    }
-  }
+  check_names(formulas, folder);
 }
 
 Findings find(const Study& study, const Judged& judged, const Runs& runs) {

@@ -2,7 +2,7 @@
 
 #include "core/build_info.hpp"
 #include "io/json.hpp"
-#include "io/number.hpp"
+#include "jobs/rows.hpp"
 
 #include <fmt/format.h>
 
@@ -13,19 +13,6 @@
 namespace breccia {
 
 namespace {
-
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c == '\n' ? ' ' : c);
-  return quoted + "\"";
-}
-
-std::string cell(double number) {
-  std::string text;
-  if (std::isfinite(number)) append_number(text, number);
-  return text;
-}
 
 double least(const std::vector<double>& values) {
   return values.empty() ? JobResult::kNone : *std::min_element(values.begin(), values.end());
@@ -48,25 +35,6 @@ std::string seconds_text(const Study& study, const JobResult& outcome) {
   const std::string middle = fmt::format("{:.3g}", median(all));
   return all.size() < 2 ? middle
                         : fmt::format("{} ({:.3g} to {:.3g})", middle, least(all), most(all));
-}
-
-using Row = std::vector<std::string>;
-
-/// The first column to the left, all others to the right.
-void print_rows(const std::vector<Row>& rows, std::ostream& out) {
-  std::vector<std::size_t> width;
-  for (const Row& row : rows) {
-    width.resize(std::max(width.size(), row.size()));
-    for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
-  }
-  for (const Row& row : rows) {
-    std::string line = fmt::format("  {:<{}}", row[0], width[0]);
-    for (std::size_t c = 1; c + 1 < row.size(); ++c)
-      line += fmt::format("  {:>{}}", row[c], width[c]);
-    line += "  " + row.back();
-    line.erase(line.find_last_not_of(' ') + 1);
-    out << line << "\n";
-  }
 }
 
 void put_seconds(JsonWriter& json, const char* name, const std::vector<double>& values) {
@@ -148,8 +116,8 @@ void print_findings(const Study& study, const Judged& judged, const Runs& runs, 
   out << "\n"
       << judged.name << "  against " << f.basis
       << (judged.source.empty() ? "" : " (" + judged.source + ")") << "\n";
-  std::vector<Row> rows{{"job", "elements", "steps", "value", "error [%]",
-                         study.by_processor ? "processor [s]" : "wall [s]", ""}};
+  std::vector<TableRow> rows{{"job", "elements", "steps", "value", "error [%]",
+                              study.by_processor ? "processor [s]" : "wall [s]", ""}};
   for (std::size_t j = 0; j < study.jobs.size(); ++j) {
     const JobResult& o = runs.outcomes[j];
     if (!o.complete) {
@@ -169,27 +137,27 @@ void print_findings(const Study& study, const Judged& judged, const Runs& runs, 
 
 std::string study_csv(const Study& study, const Runs& runs, const std::vector<Findings>& findings) {
   std::string text = "folder";
-  for (const Knob& knob : study.knobs) text += "," + cell(knob.name);
+  for (const Knob& knob : study.knobs) text += "," + csv_cell(knob.name);
   text += ",state,elements,steps,element_steps,wall_median,wall_min,wall_max";
   text += ",processor_median,processor_min,processor_max,res_1,res_2";
   for (const Judged& judged : study.quantities)
     for (const char* what : {"value", "reference", "error", "front"})
-      text += "," + cell(judged.name + ": " + what);
+      text += "," + csv_cell(judged.name + ": " + what);
   text += ",reason\n";
   for (std::size_t j = 0; j < study.jobs.size(); ++j) {
     const JobResult& o = runs.outcomes[j];
     text += study.jobs[j].folder;
     for (std::size_t k = 0; k < study.knobs.size(); ++k)
-      text += "," + cell(rung_of(study, study.jobs[j], k));
+      text += "," + csv_cell(rung_of(study, study.jobs[j], k));
     text += "," + state_of(o);
     for (const double x :
          {o.elements, o.steps, o.element_steps(), median(o.wall), least(o.wall), most(o.wall),
           median(o.processor), least(o.processor), most(o.processor), o.res_1, o.res_2})
-      text += "," + cell(x);
+      text += "," + csv_cell(x);
     for (const Findings& f : findings)
-      text += "," + cell(f.value[j]) + "," + cell(f.reference[j]) + "," + cell(f.error[j]) + "," +
-              (f.front[j] ? "1" : "0");
-    text += "," + cell(o.reason) + "\n";
+      text += "," + csv_cell(f.value[j]) + "," + csv_cell(f.reference[j]) + "," +
+              csv_cell(f.error[j]) + "," + (f.front[j] ? "1" : "0");
+    text += "," + csv_cell(o.reason) + "\n";
   }
   return text;
 }

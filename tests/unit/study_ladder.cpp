@@ -1,7 +1,7 @@
 #include "core/error.hpp"
 #include "harness/failures.hpp"
 #include "io/scene_reader.hpp"
-#include "study/knobs.hpp"
+#include "jobs/knobs.hpp"
 #include "study/ladder.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "study/process.hpp"
+#include "jobs/process.hpp"
 
 #include "core/error.hpp"
 
@@ -67,10 +67,10 @@ Process::~Process() {
   waitpid(id_, &ignored, 0);
 }
 
-std::optional<Ending> Process::ended() {
+std::optional<Ending> Process::look(int options) {
   int how = 0;
   rusage used{};
-  const pid_t done = wait4(id_, &how, WNOHANG, &used);
+  const pid_t done = wait4(id_, &how, options, &used);
   if (done == 0 || (done < 0 && errno == EINTR)) return std::nullopt;
   running_ = false;
   Ending ending;
@@ -79,6 +79,16 @@ std::optional<Ending> Process::ended() {
   if (WIFSIGNALED(how)) ending.signal = WTERMSIG(how);
   if (WIFEXITED(how)) ending.status = WEXITSTATUS(how);
   return ending;
+}
+
+std::optional<Ending> Process::ended() {
+  return look(WNOHANG);
+}
+
+Ending Process::wait() {
+  std::optional<Ending> ending;
+  while (!(ending = look(0))) continue;
+  return *ending;
 }
 
 double Process::seconds() const {

@@ -13,6 +13,7 @@ struct Ending {
   int signal = 0;        ///< that ended it; 0: none
   double processor = 0;  ///< [s] of the processor, all threads
   double wall = 0;       ///< [s]
+  bool late = false;     ///< it was ended because it took too long
 };
 
 /// A program that runs beside this one; what it prints goes into a file.
@@ -26,12 +27,15 @@ class Process {
 
   /// Nothing while it runs.
   std::optional<Ending> ended();
+  Ending wait();                         ///< for its end
   [[nodiscard]] double seconds() const;  ///< since the start
 
   void interrupt() const;  ///< asks it to stop (SIGINT)
   void kill() const;
 
  private:
+  std::optional<Ending> look(int options);
+
   std::chrono::steady_clock::time_point start_;
   int id_ = 0;
   bool running_ = false;

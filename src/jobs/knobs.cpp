@@ -1,4 +1,4 @@
-#include "study/knobs.hpp"
+#include "jobs/knobs.hpp"
 
 #include "core/error.hpp"
 #include "core/text.hpp"

@@ -17,7 +17,7 @@ struct KnownKnob {
 
 std::span<const KnownKnob> known_knobs();
 
-/// The paths that a knob of a study sets: those of a known knob, or the path itself, with each *
+/// The paths that a knob sets: those of a known knob, or the path itself, with each *
 /// replaced by every element that writes the key, or else by every one that has the section.
 /// \throws Error with an empty place when the knob is unknown (nearest named), or fits nothing.
 std::vector<std::string> knob_paths(const std::string& key, const Config& scene);
