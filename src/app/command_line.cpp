@@ -1,6 +1,7 @@
 #include "app/command_line.hpp"
 
 #include "app/info.hpp"
+#include "batch/batch.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/schema.hpp"
@@ -36,11 +37,13 @@ struct Arguments {
   std::string key;
   std::string program;  ///< as it was called
   int threads = 0;      ///< 0: all that the machine or OMP_NUM_THREADS offers; one for a study
-  int repeats = 0, jobs = 1;
+  int repeats = 0, jobs = 0;
+  std::optional<std::size_t> variant;
   bool overwrite = false, restart = false, quiet = false, markdown = false;
   bool list = false, solutions = false;
   const World* world = nullptr;
   bool many_ranks = false;  ///< the command can use them
+  bool slurm = false, collect = false, dry_run = false;
 };
 
 int with_kokkos(const Arguments& arguments, const std::function<int()>& work) {
@@ -109,15 +112,38 @@ int study(const Arguments& a) {
   request.program = own_program(a.program);
   request.threads = a.threads > 0 ? a.threads : 1;
   request.repeats = a.repeats;
-  request.jobs = a.jobs;
+  request.jobs = a.jobs > 0 ? a.jobs : 1;
   request.list = a.list;
   request.quiet = a.quiet;
   return study_scene(request);
 }
 
+int batch(const Arguments& a) {
+  if (a.dry_run && !a.slurm && !a.collect) {
+    throw Error("breccia batch", "--dry-run belongs to --slurm or --collect",
+                "--list says which variants would run");
+  }
+  log::set_quiet(a.quiet);
+  BatchRequest request;
+  request.sweep = a.scene;
+  request.options = a.options;
+  request.output = a.output;
+  request.program = own_program(a.program);
+  request.threads = a.threads;
+  request.jobs = a.jobs;
+  request.variant = a.variant;
+  request.list = a.list;
+  request.slurm = a.slurm;
+  request.collect = a.collect;
+  request.dry_run = a.dry_run;
+  request.overwrite = a.overwrite;
+  request.quiet = a.quiet;
+  return batch_scene(request);
+}
+
 /// Options that take one value each, so that a scene may follow them.
-void add_common(CLI::App& verb, Arguments& a) {
-  verb.add_option("SCENE", a.scene, "scene file, or folder with a scene.toml")
+void add_common(CLI::App& verb, Arguments& a, const char* what = "SCENE") {
+  verb.add_option(what, a.scene, "scene file, or folder with a scene.toml")
       ->required(verb.get_name() != "study");  // which may only list its solutions
   verb.add_option("--set", a.options, "replace a value of the scene, key.path=value (repeatable)")
       ->allow_extra_args(false)
@@ -158,6 +184,26 @@ void declare_study_verb(CLI::App& app, Arguments& a, std::function<int(const Arg
   verb->callback([&chosen] { chosen = study; });
 }
 
+void declare_batch_verb(CLI::App& app, Arguments& a, std::function<int(const Arguments&)>& chosen) {
+  CLI::App* verb = app.add_subcommand("batch", "run the variants of [batch], here or by Slurm");
+  add_common(*verb, a, "SWEEP");
+  verb->add_option("--output", a.output, "folder for the variants (default: <sweep name>.batch)")
+      ->type_name("DIR");
+  verb->add_option("--jobs", a.jobs, "variants at a time (default: cores over threads)")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  verb->add_flag("--overwrite", a.overwrite, "run variants anew whose scene or build has changed");
+  verb->add_flag("--quiet", a.quiet, "print warnings and errors only");
+  CLI::Option_group* what = verb->add_option_group("instead of running them all here");
+  what->add_flag("--list", a.list, "say which variants there are");
+  what->add_flag("--slurm", a.slurm, "submit a Slurm job array");
+  what->add_flag("--collect", a.collect, "the summary of what is there; Slurm retries failed ones");
+  what->add_option("--variant", a.variant, "run this one alone, once")->type_name("N");
+  what->require_option(0, 1);
+  verb->add_flag("--dry-run", a.dry_run, "with --slurm: write the script, submit nothing");
+  verb->callback([&chosen] { chosen = batch; });
+}
+
 void declare_verbs(CLI::App& app, Arguments& a, std::function<int(const Arguments&)>& chosen) {
   declare_run_verb(app, a, chosen);
   CLI::App* check_verb = app.add_subcommand("check", "say what a scene would do; run nothing");
@@ -165,6 +211,7 @@ void declare_verbs(CLI::App& app, Arguments& a, std::function<int(const Argument
   check_verb->callback([&chosen] { chosen = check; });
 
   declare_study_verb(app, a, chosen);
+  declare_batch_verb(app, a, chosen);
 
   CLI::App* help_verb = app.add_subcommand("help", "explain a key of the scene, or list them");
   help_verb->add_option("KEY", a.key, "for example run.duration or material");

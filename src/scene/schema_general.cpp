@@ -170,12 +170,14 @@ void declare_general_keys(Schema& schema) {
   declare_norms(schema);
   declare_checks(schema);
   declare_study_keys(schema);
+  declare_batch_keys(schema);
   schema.check(check_run_rules);
   schema.check(check_body_rules);
   schema.check(check_fracture_rules);
   schema.check(check_load_rules);
   schema.check(check_material_rules);
   schema.check(check_study_rules);
+  schema.check(check_batch_rules);
 }
 
 }  // namespace breccia

@@ -18,6 +18,9 @@ void declare_load_keys(Schema& schema);
 /// The keys of [study].
 void declare_study_keys(Schema& schema);
 
+/// The keys of [batch].
+void declare_batch_keys(Schema& schema);
+
 /// A vector that is to be a direction must not be zero.
 void check_direction(const Settings& section, const char* key, Problems& problems);
 
@@ -28,5 +31,6 @@ void check_fracture_rules(const Settings& scene, Problems& problems);
 void check_load_rules(const Settings& scene, Problems& problems);
 void check_material_rules(const Settings& scene, Problems& problems);
 void check_study_rules(const Settings& scene, Problems& problems);
+void check_batch_rules(const Settings& scene, Problems& problems);
 
 }  // namespace breccia
