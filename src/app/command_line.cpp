@@ -38,7 +38,7 @@ struct Arguments {
   std::string program;  ///< as it was called
   int threads = 0;      ///< 0: all that the machine or OMP_NUM_THREADS offers; one for a study
   int repeats = 0, jobs = 0;
-  std::optional<std::size_t> variant;
+  std::vector<std::size_t> variants;
   bool overwrite = false, restart = false, quiet = false, markdown = false;
   bool list = false, solutions = false;
   const World* world = nullptr;
@@ -131,7 +131,7 @@ int batch(const Arguments& a) {
   request.program = own_program(a.program);
   request.threads = a.threads;
   request.jobs = a.jobs;
-  request.variant = a.variant;
+  request.variants = a.variants;
   request.list = a.list;
   request.slurm = a.slurm;
   request.collect = a.collect;
@@ -142,8 +142,9 @@ int batch(const Arguments& a) {
 }
 
 /// Options that take one value each, so that a scene may follow them.
-void add_common(CLI::App& verb, Arguments& a, const char* what = "SCENE") {
-  verb.add_option(what, a.scene, "scene file, or folder with a scene.toml")
+void add_common(CLI::App& verb, Arguments& a, const char* what = "SCENE",
+                const char* doc = "scene file, or folder with a scene.toml") {
+  verb.add_option(what, a.scene, doc)
       ->required(verb.get_name() != "study");  // which may only list its solutions
   verb.add_option("--set", a.options, "replace a value of the scene, key.path=value (repeatable)")
       ->allow_extra_args(false)
@@ -186,7 +187,7 @@ void declare_study_verb(CLI::App& app, Arguments& a, std::function<int(const Arg
 
 void declare_batch_verb(CLI::App& app, Arguments& a, std::function<int(const Arguments&)>& chosen) {
   CLI::App* verb = app.add_subcommand("batch", "run the variants of [batch], here or by Slurm");
-  add_common(*verb, a, "SWEEP");
+  add_common(*verb, a, "SWEEP", "file with a [batch]");
   verb->add_option("--output", a.output, "folder for the variants (default: <sweep name>.batch)")
       ->type_name("DIR");
   verb->add_option("--jobs", a.jobs, "variants at a time (default: cores over threads)")
@@ -198,9 +199,11 @@ void declare_batch_verb(CLI::App& app, Arguments& a, std::function<int(const Arg
   what->add_flag("--list", a.list, "say which variants there are");
   what->add_flag("--slurm", a.slurm, "submit a Slurm job array");
   what->add_flag("--collect", a.collect, "the summary of what is there; Slurm retries failed ones");
-  what->add_option("--variant", a.variant, "run this one alone, once")->type_name("N");
+  what->add_option("--variant", a.variants, "run this one alone, once (repeatable)")
+      ->allow_extra_args(false)
+      ->type_name("N");
   what->require_option(0, 1);
-  verb->add_flag("--dry-run", a.dry_run, "with --slurm: write the script, submit nothing");
+  verb->add_flag("--dry-run", a.dry_run, "with --slurm or --collect: submit nothing");
   verb->callback([&chosen] { chosen = batch; });
 }
 

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "io/aside_file.hpp"
+#include "jobs/folder_lock.hpp"
 #include "scene/interrupt.hpp"
 
 #include <fmt/format.h>
@@ -50,6 +51,7 @@ class Batch {
                       " takes them out of the queue");
     }
     forget_slurm_job(sweep_);
+    const FolderLock lock(sweep_.output, FolderLock::Hold::alone);
     const Numbers open = reopened();
     log::info(fmt::format("{}: {} in {}, {} to run, {} at a time", sweep_.name,
                           counted(states_.size()), sweep_.output.string(), open.size(),
@@ -62,16 +64,15 @@ class Batch {
     return status;
   }
 
-  /// The variant of one task, once.
-  int run_one(std::size_t variant) {
-    const VariantState& state = states_[variant];
-    if (state.stage != Stage::complete)
-      run_variants(sweep_, {variant}, state.attempts + 1, states_, {});
-    if (state.stage != Stage::complete) {
-      log::error(sweep_.variants[variant].folder + ": " + state.reason);
-      return kNotAll;
-    }
-    return checks_hold({variant}) ? 0 : kCheckFailed;
+  /// The variants of one task, each once.
+  int run_these(const Numbers& numbers) {
+    const FolderLock lock(sweep_.output, FolderLock::Hold::with_others);
+    const auto complete = [this](std::size_t v) { return states_[v].stage == Stage::complete; };
+    Numbers open = numbers;
+    std::erase_if(open, complete);
+    run_variants(sweep_, open, 1, states_, {});
+    if (!std::all_of(numbers.begin(), numbers.end(), complete)) return kNotAll;
+    return checks_hold(numbers) ? 0 : kCheckFailed;
   }
 
   /// All variants that are not complete, by Slurm.
@@ -155,8 +156,13 @@ class Batch {
     }
   }
 
-  /// Tasks that were killed could not write it down themselves.
+  /// What tasks that are gone could not write down themselves. One that was to run several variants
+  /// has been stopped in front of the rest; one of a single variant was cancelled, or cannot begin.
   void mark_lost() {
+    for (const std::size_t v : of({Stage::queued})) {
+      states_[v].stage = sweep_.slurm.variants_per_task > 1 ? Stage::stopped : Stage::waiting;
+      states_[v].reason = "its task has not begun with it; the texts in slurm may say why";
+    }
     for (const std::size_t v : of({Stage::running})) {
       states_[v].stage = Stage::failed;
       states_[v].reason = "ended without a word: its task was killed, or its machine went down";
@@ -201,7 +207,7 @@ class Batch {
 int batch_scene(const BatchRequest& request) {
   if (request.list) return list_variants(plan_batch(request));
   Batch batch(request);
-  if (request.variant) return batch.run_one(*request.variant);
+  if (!request.variants.empty()) return batch.run_these(request.variants);
   if (request.collect) return batch.collect();
   if (request.slurm) return batch.submit_open();
   return batch.run();

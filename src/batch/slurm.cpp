@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <numeric>
 #include <sstream>
 
 namespace breccia {
@@ -54,6 +55,13 @@ std::string answer(const Sweep& sweep, const std::vector<std::string>& command, 
   return trimmed(text.str());
 }
 
+/// Numbers of the tasks that take so many variants each.
+std::vector<std::size_t> tasks_of(std::size_t variants, int each) {
+  std::vector<std::size_t> tasks((variants - 1) / static_cast<std::size_t>(each) + 1);
+  std::iota(tasks.begin(), tasks.end(), 0);
+  return tasks;
+}
+
 fs::path job_file(const Sweep& sweep) {
   return folder_of(sweep) / "job.json";
 }
@@ -75,24 +83,32 @@ std::string array_text(const std::vector<std::size_t>& numbers) {
 std::string slurm_script(const Sweep& sweep, const BatchRequest& request,
                          const std::vector<std::size_t>& numbers) {
   const fs::path output = fs::absolute(sweep.output).lexically_normal();
+  const int each = sweep.slurm.variants_per_task;
   std::string text = "#!/bin/bash\n";
   const auto option = [&text](const std::string& words) { text += "#SBATCH " + words + "\n"; };
   option("--job-name=" + quoted(sweep.name));
-  option("--array=" + array_text(numbers) +
+  option("--array=" + array_text(each > 1 ? tasks_of(numbers.size(), each) : numbers) +
          (request.jobs > 0 ? "%" + std::to_string(request.jobs) : ""));
   option("--ntasks=" + std::to_string(sweep.ranks));
   option("--cpus-per-task=" + std::to_string(sweep.threads));
-  if (sweep.time_limit) option("--time=" + time_text(*sweep.time_limit));
+  if (sweep.time_limit) option("--time=" + time_text(each * *sweep.time_limit));
   if (!sweep.slurm.partition.empty()) option("--partition=" + sweep.slurm.partition);
   option("--chdir=" + quoted(fs::current_path().string()));
   option("--output=" + quoted((output / "slurm" / "%A_%a.txt").string()));
   for (const std::string& words : sweep.slurm.options) option(words);
   text += "\n";
   for (const std::string& line : sweep.slurm.setup) text += line + "\n";
+  std::string variants = "--variant=$SLURM_ARRAY_TASK_ID";
+  if (each > 1) {
+    text += "all=(";
+    for (const std::size_t number : numbers) text += " --variant=" + std::to_string(number);
+    text += " )\n";
+    variants = fmt::format("${{all[@]:SLURM_ARRAY_TASK_ID*{0}:{0}}}", each);
+  }
   text += "exec " + quoted(sweep.program) + " batch " +
-          quoted(fs::absolute(sweep.file).lexically_normal().string()) +
-          " --variant \"$SLURM_ARRAY_TASK_ID\" --output " + quoted(output.string()) +
-          " --threads " + std::to_string(sweep.threads);
+          quoted(fs::absolute(sweep.file).lexically_normal().string()) + " \"" + variants +
+          "\" --jobs 1 --output " + quoted(output.string()) + " --threads " +
+          std::to_string(sweep.threads);
   for (const std::string& words : request.options) text += " --set " + quoted(words);
   return text + "\n";
 }

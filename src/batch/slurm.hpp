@@ -9,7 +9,7 @@ namespace breccia {
 /// "0-3,7": numbers that grow, as sbatch takes them.
 std::string array_text(const std::vector<std::size_t>& numbers);
 
-/// The script of a job array with one task for each of these variants.
+/// The script of a job array that runs these variants.
 std::string slurm_script(const Sweep& sweep, const BatchRequest& request,
                          const std::vector<std::size_t>& numbers);
 

@@ -82,12 +82,12 @@ TableRow row_of(const Sweep& sweep, const Variant& variant, const VariantState& 
     row.push_back(varied.words[sweep.step(variant, varied.axis)]);
   const bool complete = state.stage == Stage::complete;
   const auto number = [&](const char* form, double value) {
-    return complete ? fmt::format(fmt::runtime(form), value) : std::string("-");
+    return complete && std::isfinite(value) ? fmt::format(fmt::runtime(form), value) : "-";
   };
   row.push_back(number("{:.0f}", result.steps));
   row.push_back(number("{:.3g}", result.wall));
   for (std::size_t c = 0; c < sweep.collect.size(); ++c)
-    row.push_back(complete ? fmt::format("{:.6g}", result.collected[c]) : "-");
+    row.push_back(complete ? number("{:.6g}", result.collected[c]) : "-");
   row.push_back(
       result.checks.empty() ? "-" : fmt::format("{} of {}", result.passed(), result.checks.size()));
   row.push_back(complete ? "" : stage_text(state.stage));

@@ -93,11 +93,10 @@ void number_variants(Sweep& sweep, const std::string& place) {
       throw Error(place, fmt::format("batch: more than {} variants", kMostVariants),
                   "vary less, or draw samples at random");
   }
-  const int width = count > 10000 ? 5 : 4;
   for (std::size_t i = 0; i < count; ++i) {
     Variant variant;
     variant.number = i;
-    variant.folder = fmt::format("{:0{}}", i, width);
+    variant.folder = fmt::format("{:04}", i);
     for (const Varied& varied : sweep.varied) {
       const std::size_t step = sweep.step(variant, varied.axis);
       for (const std::string& path : varied.paths)
@@ -119,6 +118,7 @@ std::string place_of(const Error& fault, const Sweep& sweep, const std::string& 
   return otherwise;
 }
 
+/// Resolves a variant, so that nothing that is wrong with it is left for later.
 void settle(Variant& variant, const Sweep& sweep, const SceneSource& source, const Schema& schema,
             const std::string& place) {
   try {
@@ -153,6 +153,7 @@ void read_options(const Settings& batch, const BatchRequest& request, Sweep& swe
       request.jobs > 0 ? request.jobs : std::max(1, cores / (sweep.threads * sweep.ranks));
   if (!batch.has("slurm")) return;
   const Settings& slurm = batch.at("slurm");
+  sweep.slurm.variants_per_task = static_cast<int>(slurm.integer("variants_per_task"));
   sweep.slurm.partition = slurm.text_or("partition", "");
   if (slurm.has("options")) sweep.slurm.options = slurm.texts("options");
   if (slurm.has("setup")) sweep.slurm.setup = slurm.texts("setup");
@@ -178,11 +179,14 @@ Sweep plan_batch(const BatchRequest& request) {
   add_values(batch, base, sweep);
   check_varied(sweep);
   number_variants(sweep, batch.place());
-  if (request.variant && *request.variant >= sweep.variants.size())
-    throw Error("--variant", fmt::format("there is no variant {}: the sweep has {}, counted from 0",
-                                         *request.variant, sweep.variants.size()));
+  const std::vector<std::size_t>& chosen = request.variants;
+  for (const std::size_t variant : chosen)
+    if (variant >= sweep.variants.size())
+      throw Error("--variant",
+                  fmt::format("there is no variant {}: the sweep has {}, counted from 0", variant,
+                              sweep.variants.size()));
   for (Variant& variant : sweep.variants) {
-    if (!request.variant || *request.variant == variant.number)
+    if (chosen.empty() || std::find(chosen.begin(), chosen.end(), variant.number) != chosen.end())
       settle(variant, sweep, source, schema, batch.place());
     variant.options.insert(variant.options.begin(), source.shared().begin(), source.shared().end());
   }

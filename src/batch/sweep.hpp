@@ -16,7 +16,7 @@ struct BatchRequest {
   std::string program;                          ///< the executable that variants run
   int threads = 0;                              ///< of each variant; 0: as the sweep says
   int jobs = 0;                                 ///< at a time; 0: as many as the machine bears
-  std::optional<std::size_t> variant;           ///< run this one alone, once
+  std::vector<std::size_t> variants;            ///< run these alone, once; empty: all
   bool list = false;                            ///< say which variants there are; run none
   bool slurm = false;                           ///< hand them to Slurm
   bool collect = false;                         ///< summary of what is there
@@ -55,6 +55,7 @@ struct Collected {
 };
 
 struct SlurmWishes {
+  int variants_per_task = 1;
   std::string partition;
   std::vector<std::string> options, setup;
 };
@@ -81,7 +82,7 @@ struct Sweep {
   }
 };
 
-/// Reads a sweep and resolves its variants (or the one that is asked for) exactly as
+/// Reads a sweep and resolves its variants (or those that are asked for) exactly as
 /// `breccia run --set` would. \throws Error for whatever is wrong, before anything runs.
 Sweep plan_batch(const BatchRequest& request);
 

@@ -59,6 +59,10 @@ void declare_variation(Schema& schema) {
 void declare_slurm(Schema& schema) {
   auto s = schema.section("batch.slurm").doc("What --slurm asks of the cluster.");
   s.text("partition").doc("The partition.").example("compute");
+  s.integer("variants_per_task")
+      .between(1, 100000)
+      .by_default(1)
+      .doc("One after the other: for short runs, and where the length of arrays is limited.");
   s.texts("options")
       .doc("Further options of sbatch, each a #SBATCH line.")
       .example("[\"--account=rock\", \"--mem=4G\"]");

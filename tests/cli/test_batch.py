@@ -105,6 +105,14 @@ def children(process):
     return found
 
 
+def ended(process):
+    """Whether a process has ended; nobody may have asked for its status yet."""
+    try:
+        return pathlib.Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] == "Z"
+    except OSError:
+        return True
+
+
 class Summary(Batch):
     def test_a_grid(self):
         result = self.batch()
@@ -257,13 +265,29 @@ class Resume(Batch):
         self.batch(text=SLOW)
         self.assertEqual([self.report(name)["state_hash"] for name in ("0000", "0001")], again)
 
-    def test_one_variant_alone(self):
+    def test_two_at_once_are_refused(self):
+        text = SLOW.replace('["100 GPa", "200 GPa", "300 GPa"]', '["200 GPa"]')
+        process = self.start(text=text)
+        self.wait_for(lambda: (self.out / "0000" / "checkpoint.h5").exists())
+        self.assertIn("another breccia runs jobs in this folder", self.batch(text=text, status=2).stderr)
+        run = children(process.pid)[0]
+        process.kill()
+        process.communicate()
+        self.assertIn("another breccia", self.batch(text=text, status=2).stderr)  # its run is still there
+        os.kill(run, signal.SIGKILL)
+        self.wait_for(lambda: ended(run))
+        self.batch(text=text)
+        self.assertEqual(self.state("0000")["attempts"], 1)
+
+    def test_some_variants_alone(self):
         self.batch("--variant", 4)
         self.assertEqual(list(self.times()), ["0004"])
         before = self.times()
         self.batch("--variant", 4)
         self.batch("--collect", status=1)
         self.assertEqual([row["status"] for row in self.summary()], ["not run"] * 4 + ["complete", "not run"])
+        self.batch("--variant", 1, "--variant", 4, "--variant", 0)
+        self.assertEqual(sorted(self.times()), ["0000", "0001", "0004"])
         self.batch()
         self.assertEqual(self.times()["0004"], before["0004"])
         self.batch("--collect")

@@ -135,6 +135,14 @@ class Slurm(unittest.TestCase):
         self.batch(status=1)
         self.assertEqual((self.out / "0000" / "report.json").stat().st_mtime_ns, before)
 
+    def test_tasks_of_several_variants(self):
+        text = SWEEP.replace('"10 us"', '"0.06 us"').replace('partition = "main"', "variants_per_task = 2")
+        self.batch("--slurm", text=text)
+        self.assertIn("#SBATCH --array=0-2\n", (self.out / "slurm" / "array.sh").read_text())
+        self.wait_for_queue()
+        self.batch("--collect", text=text)
+        self.assertEqual([(row["status"], row["attempts"]) for row in self.summary()], [("complete", "1")] * 5)
+
     def test_a_task_that_is_killed_goes_on_from_its_checkpoint(self):
         for end, reason in ((self.kill, "ended without a word"), (self.cancel, "interrupted at time")):
             shutil.rmtree(self.out, ignore_errors=True)
@@ -160,6 +168,13 @@ class Slurm(unittest.TestCase):
         self.assertFalse((self.out / "slurm" / "job.json").exists())
         self.batch("--collect", status=1)
         self.assertEqual({row["status"] for row in self.summary()}, {"not run"})
+
+    def test_tasks_that_never_begin(self):
+        self.batch("--slurm", text=SWEEP.replace("SWEEP_SETUP=done", "SWEEP_SETUP=; exit 5"))
+        self.wait_for_queue()
+        self.batch("--collect", status=1)
+        self.assertEqual({(row["status"], row["attempts"]) for row in self.summary()}, {("not run", "0")})
+        self.assertIn("has not begun", self.summary()[0]["reason"])
 
 
 def main():

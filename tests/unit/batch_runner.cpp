@@ -1,6 +1,5 @@
 // The runner with a shell script in the place of breccia: `program run SCENE --set CASE ...`.
 #include "batch/runner.hpp"
-#include "batch/slurm.hpp"
 
 #include <gmock/gmock.h>
 
@@ -150,34 +149,6 @@ TEST_F(BatchRunner, SeveralRanksNeedALauncher) {
   EXPECT_EQ(std::vector(here.begin(), here.begin() + 6), mpirun);
   EXPECT_EQ(std::vector(there.begin(), there.begin() + 4), srun);
   EXPECT_THAT(here, testing::Contains("--restart"));
-}
-
-TEST(BatchSlurm, ArraysAreWrittenAsRanges) {
-  EXPECT_EQ(array_text({0, 1, 2, 3, 7, 9, 10}), "0-3,7,9-10");
-  EXPECT_EQ(array_text({5}), "5");
-}
-
-TEST(BatchSlurm, TheScriptAsksForWhatTheSweepSays) {
-  Sweep sweep;
-  sweep.name = "rock";
-  sweep.file = "/data/it's rock.toml";
-  sweep.output = "/data/rock.batch";
-  sweep.program = "/opt/breccia";
-  sweep.threads = 4;
-  sweep.ranks = 2;
-  sweep.time_limit = 93784.5;
-  sweep.slurm = {"short", {"--mem=4G", "--account=x"}, {"module load openmpi"}};
-  BatchRequest request;
-  request.jobs = 8;
-  request.options = {"run.duration=2 ms"};
-  const std::string script = slurm_script(sweep, request, {0, 1, 2});
-  for (const char* line :
-       {"#!/bin/bash\n", "#SBATCH --array=0-2%8\n", "#SBATCH --ntasks=2\n",
-        "#SBATCH --cpus-per-task=4\n", "#SBATCH --time=1-02:03:05\n", "#SBATCH --partition=short\n",
-        "#SBATCH --mem=4G\n", "#SBATCH --account=x\n", "\nmodule load openmpi\n",
-        "\nexec '/opt/breccia' batch '/data/it'\\''s rock.toml' --variant \"$SLURM_ARRAY_TASK_ID\""
-        " --output '/data/rock.batch' --threads 4 --set 'run.duration=2 ms'\n"})
-    EXPECT_THAT(script, testing::HasSubstr(line));
 }
 
 }  // namespace
