@@ -124,7 +124,7 @@ fs::path write_slurm_script(const Sweep& sweep, const BatchRequest& request,
 std::string submit(const Sweep& sweep, const fs::path& script) {
   Ending ending;
   const std::string said = answer(sweep, {"sbatch", "--parsable", script.string()}, ending);
-  if (ending.status != 0 || ending.signal != 0)
+  if (ending.status != 0 || ending.signal != 0 || said.empty())
     throw Error("sbatch", "Slurm has refused the job: " + said, "the script is " + script.string());
   // Warnings come first; the last line is "job" or "job;cluster".
   const std::string last = split(said, '\n').back();
