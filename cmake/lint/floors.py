@@ -11,7 +11,7 @@ SOURCE = {
     "core": {"base"},
     "fields": {"base", "core"},
     "mesh": {"base", "core", "fields"},
-    "comm": BELOW_S3,
+    "comm": BELOW_S3 | {"loops"},  # rows are packed on the device
     "io": BELOW_S3,
     # Materials hold the parameters of laws; stress_view.hpp fills a view of a loop.
     "step": BELOW_S3 | {"point", "loops"},

@@ -295,7 +295,7 @@ std::int64_t sum_of_inverse_sizes(const ContactSurface<D>& surface,
   Kokkos::parallel_reduce(
       "breccia::contact::sizes",
       Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>(0, surface.facets),
-      KOKKOS_LAMBDA(Index i, std::int64_t& part) {
+      KOKKOS_LAMBDA(Index i, std::int64_t & part) {
         part += static_cast<std::int64_t>(inverse(i) / grain);
       },
       sum);
@@ -337,10 +337,12 @@ template ContactSizes contact_sizes<2>(const ContactSurface<2>&,
                                        const Kokkos::View<const std::uint8_t*, Memory>&);
 template ContactSizes contact_sizes<3>(const ContactSurface<3>&,
                                        const Kokkos::View<const std::uint8_t*, Memory>&);
-template std::int64_t sum_of_inverse_sizes<2>(
-    const ContactSurface<2>&, const Kokkos::View<const std::uint8_t*, Memory>&, double);
-template std::int64_t sum_of_inverse_sizes<3>(
-    const ContactSurface<3>&, const Kokkos::View<const std::uint8_t*, Memory>&, double);
+template std::int64_t sum_of_inverse_sizes<2>(const ContactSurface<2>&,
+                                              const Kokkos::View<const std::uint8_t*, Memory>&,
+                                              double);
+template std::int64_t sum_of_inverse_sizes<3>(const ContactSurface<3>&,
+                                              const Kokkos::View<const std::uint8_t*, Memory>&,
+                                              double);
 template void search_contacts<2>(const ContactSurface<2>&, double, ContactSearchScratch<2>&,
                                  ContactPairs<2>&);
 template void search_contacts<3>(const ContactSurface<3>&, double, ContactSearchScratch<3>&,

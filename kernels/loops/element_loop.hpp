@@ -204,7 +204,8 @@ struct ElementLoop {
     double power[W];
     store(heat, power);
     for (int l = 0; l < lanes.count(); ++l)
-      if (lanes.counts(l)) sums[element_sum::shock] += power[l] * (in.thickness / kFactorial<D> * in.kick);
+      if (lanes.counts(l))
+        sums[element_sum::shock] += power[l] * (in.thickness / kFactorial<D> * in.kick);
   }
 
   KOKKOS_FORCEINLINE_FUNCTION

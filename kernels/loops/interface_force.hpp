@@ -13,9 +13,9 @@ struct InterfaceForceIn {
   ConstArray<InterfaceRecord> record;
   ConstCornerFlags<D> active;
   CohesiveStrength strength;
-  double rate;        ///< one over the last step, 1/s; 0 in the first
-  bool leave_broken;  ///< contact takes broken faces over
-  double thickness;   ///< m, 1 in 3D
+  double rate;                    ///< one over the last step, 1/s; 0 in the first
+  bool leave_broken;              ///< contact takes broken faces over
+  double thickness;               ///< m, 1 in 3D
   ConstArray<std::uint8_t> sure;  ///< per face: 1 where all its corners are known; empty: all
 
   KOKKOS_FUNCTION

@@ -81,8 +81,7 @@ int run(const Arguments& a) {
                 "--restart goes on from the checkpoint, --overwrite begins anew");
   }
   log::set_quiet(a.quiet);
-  const RunRequest request{a.scene,   a.options, a.output, a.overwrite,
-                           a.restart, a.quiet,   a.world};
+  const RunRequest request{a.scene, a.options, a.output, a.overwrite, a.restart, a.quiet, a.world};
   return with_kokkos(a, [&request] { return run_scene(request); });
 }
 

@@ -24,7 +24,8 @@ std::vector<Post> posts_of(const std::vector<Halo::Stretch>& stretches, void* me
                            std::size_t row_bytes) {
   std::vector<Post> posts;
   for (const Halo::Stretch& s : stretches)
-    posts.push_back({s.rank, static_cast<char*>(memory) + static_cast<std::size_t>(s.begin) * row_bytes,
+    posts.push_back({s.rank,
+                     static_cast<char*>(memory) + static_cast<std::size_t>(s.begin) * row_bytes,
                      static_cast<std::size_t>(s.end - s.begin) * row_bytes});
   return posts;
 }

@@ -71,7 +71,7 @@ class Halo {
   void swap(const Array<Number>& send, const Array<Number>& receive, std::size_t stride) {
     const auto from = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, send);
     const auto to = Kokkos::create_mirror_view(receive);
-    Kokkos::fence();
+    Kokkos::fence("breccia::halo::packed");
     post(from.data(), to.data(), stride * sizeof(Number));
     Kokkos::deep_copy(receive, to);
   }
@@ -85,7 +85,8 @@ class Halo {
   std::int64_t sent_ = 0;
 };
 
-/// Lists of numbers for the ranks they are wanted from: what each rank asks of this one. Collective.
+/// Lists of numbers for the ranks they are wanted from: what each rank asks of this one.
+/// Collective.
 std::vector<std::vector<Index>> ask(const World& world,
                                     const std::vector<std::vector<Index>>& wanted);
 

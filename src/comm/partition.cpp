@@ -131,9 +131,7 @@ Partition partition(const Mesh<D>& mesh, const Topology<D>& topology, int parts,
   return p;
 }
 
-template Partition partition(const Mesh<2>&, const Topology<2>&, int,
-                             const std::vector<Index>&);
-template Partition partition(const Mesh<3>&, const Topology<3>&, int,
-                             const std::vector<Index>&);
+template Partition partition(const Mesh<2>&, const Topology<2>&, int, const std::vector<Index>&);
+template Partition partition(const Mesh<3>&, const Topology<3>&, int, const std::vector<Index>&);
 
 }  // namespace breccia

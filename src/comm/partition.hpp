@@ -18,9 +18,9 @@ struct Partition {
 
 /// Cuts the dual graph (elements joined by faces) into `parts` of nearly equal size with few cut
 /// faces, by METIS k-way. Elements of one cluster stay together: `cluster` numbers those of each
-/// element from 0 on without gaps; empty: each is by itself. The same mesh gives the same partition.
-/// Throws Error when the build has no METIS, when there are more parts than elements, or when a
-/// part would be empty.
+/// element from 0 on without gaps; empty: each is by itself. The same mesh gives the same
+/// partition. Throws Error when the build has no METIS, when there are more parts than elements,
+/// or when a part would be empty.
 template <int D>
 Partition partition(const Mesh<D>& mesh, const Topology<D>& topology, int parts,
                     const std::vector<Index>& cluster = {});

@@ -64,8 +64,8 @@ class World {
   /// Delivers parcels of any length; each rank may send one to each other. Sorted by sender.
   [[nodiscard]] std::vector<Parcel> deliver(const std::vector<Parcel>& parcels) const;
 
-  /// Between neighbours, who know what to expect: sends the memory of `out`, fills that of `in`. Not
-  /// collective.
+  /// Between neighbours, who know what to expect: sends the memory of `out`, fills that of `in`.
+  /// Not collective.
   void swap(const std::vector<Post>& out, const std::vector<Post>& in) const;
 
   /// Ends all ranks at once; for failures that only one rank has seen.

@@ -29,12 +29,18 @@ struct OwnState {
 
   std::vector<Index>* list_of(Entity entity) {
     switch (entity) {
-      case Entity::node: return &node;
-      case Entity::element: return &element;
-      case Entity::face: return &face;
-      case Entity::interface: return &interface;
-      case Entity::contact_point: return &point;
-      default: return nullptr;
+      case Entity::node:
+        return &node;
+      case Entity::element:
+        return &element;
+      case Entity::face:
+        return &face;
+      case Entity::interface:
+        return &interface;
+      case Entity::contact_point:
+        return &point;
+      default:
+        return nullptr;
     }
   }
 };
@@ -98,8 +104,8 @@ class Giver {
     keep(Entity::face, faces);
     keep(Entity::interface, interfaces);
     keep(Entity::contact_point, points);
-    for (const auto& derived : {CornerList::info.name, NodeCorners::info.name, NodeFamily::info.name,
-                                ElementNodes<D>::info.name})
+    for (const auto& derived : {CornerList::info.name, NodeCorners::info.name,
+                                NodeFamily::info.name, ElementNodes<D>::info.name})
       own_.rows.erase(std::string(derived));
     return std::move(own_);
   }
@@ -218,11 +224,16 @@ StateRows joined(std::vector<OwnState>& parts, const Model<D>& whole) {
   const std::vector<Index> points = all_of(parts, Entity::contact_point);
   const auto count_of = [&](Entity entity) -> std::size_t {
     switch (entity) {
-      case Entity::node: return static_cast<std::size_t>(table.nodes);
-      case Entity::element: return whole.mesh.element.size();
-      case Entity::face: return whole.topology.shared.size();
-      case Entity::interface: return interfaces.size();
-      default: return points.size();
+      case Entity::node:
+        return static_cast<std::size_t>(table.nodes);
+      case Entity::element:
+        return whole.mesh.element.size();
+      case Entity::face:
+        return whole.topology.shared.size();
+      case Entity::interface:
+        return interfaces.size();
+      default:
+        return points.size();
     }
   };
   const auto place_of = [&](Entity entity, Index number) -> Index {

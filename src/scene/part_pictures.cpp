@@ -27,8 +27,8 @@ struct OwnNodes {
   template <int D>
   explicit OwnNodes(const Model<D>& model) {
     const auto mass = to_host(model.store.template get<NodeMass>(), model.nodes());
-    const auto range = Kokkos::create_mirror_view_and_copy(
-        Kokkos::HostSpace{}, model.store.template get<NodeCorners>());
+    const auto range = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
+                                                           model.store.template get<NodeCorners>());
     const auto list = to_host(model.store.template get<CornerList>(),
                               model.store.template get<CornerList>().extent(0));
     for (Index n = 0; n < model.nodes(); ++n) {

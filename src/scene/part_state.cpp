@@ -42,12 +42,18 @@ class Taker {
  private:
   const std::vector<Index>* list_of(Entity entity) const {
     switch (entity) {
-      case Entity::node: return &nodes_;
-      case Entity::element: return &local_.part.element;
-      case Entity::face: return &local_.part.face;
-      case Entity::interface: return &interfaces_;
-      case Entity::contact_point: return &points_;
-      default: return nullptr;
+      case Entity::node:
+        return &nodes_;
+      case Entity::element:
+        return &local_.part.element;
+      case Entity::face:
+        return &local_.part.face;
+      case Entity::interface:
+        return &interfaces_;
+      case Entity::contact_point:
+        return &points_;
+      default:
+        return nullptr;
     }
   }
 

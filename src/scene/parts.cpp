@@ -1,8 +1,9 @@
 #include "scene/parts.hpp"
 
+#include "core/error.hpp"
+#include "fields/interface_fields.hpp"
 #include "mesh/composite.hpp"
 #include "mesh/whole_pieces.hpp"
-#include "fields/interface_fields.hpp"
 #include "modules/fracture/fracture_fields.hpp"
 #include "scene/model_builder.hpp"
 
@@ -97,8 +98,8 @@ struct NewNode {
 
 template <int D>
 std::vector<NewNode> nodes_from(Index first, Index end, const Store& s) {
-  const auto list = allocate<Array<NewNode>>("breccia::halo::new_nodes",
-                                             static_cast<std::size_t>(end - first));
+  const auto list =
+      allocate<Array<NewNode>>("breccia::halo::new_nodes", static_cast<std::size_t>(end - first));
   const Ranges corners = s.get<NodeCorners>();
   const Array<Index> corner = s.get<CornerList>(), family = s.get<NodeFamily>();
   for_each(
@@ -115,10 +116,38 @@ Index place_in(const std::vector<Index>& list, Index number) {
 
 }  // namespace
 
+namespace {
+
+/// What many ranks cannot do yet.
+void refuse_on_many(const Settings& scene) {
+  if (!scene.has("contact")) return;
+  const Settings& contact = scene.at("contact");
+  if (contact.text("force") == "distributed_potential")
+    throw contact.error("force", "the distributed potential is for one rank",
+                        "leave contact.force out, or start one rank");
+  if (!scene.list("excavate").empty())
+    throw scene.list("excavate")
+        .front()
+        .error("", "contact and excavation together are for one rank",
+               "start one rank with more --threads");
+}
+
+template <int D>
+Partition cut(const World& world, const Model<D>& whole) {
+  refuse_on_many(*whole.scene);
+  try {
+    return partition(whole.mesh, whole.topology, world.size(), clusters_of(whole));
+  } catch (const Error& error) {
+    throw Error("mpirun, " + std::to_string(world.size()) + " ranks", error.cause(),
+                "start fewer ranks: elements, composites and rigid bodies stay in one piece");
+  }
+}
+
+}  // namespace
+
 template <int D>
 Parts<D>::Parts(const World& world, const Model<D>& whole)
-    : Parts(world, whole,
-            breccia::partition(whole.mesh, whole.topology, world.size(), clusters_of(whole))) {}
+    : Parts(world, whole, cut(world, whole)) {}
 
 template <int D>
 Parts<D>::Parts(const World& world, const Model<D>& whole, Partition partition)
@@ -139,8 +168,7 @@ std::vector<Index> Parts<D>::known_elements(const Model<D>& whole) {
   for (Index e = 0; e < whole.elements(); ++e)
     if (partition_.part[static_cast<std::size_t>(e)] == world_->rank()) known.push_back(e);
   const auto grow = [&](int rings) {
-    known =
-        whole_composites(whole.mesh, with_neighbours(whole.mesh, whole.topology, known, rings));
+    known = whole_composites(whole.mesh, with_neighbours(whole.mesh, whole.topology, known, rings));
   };
   grow(1);
   if (!whole.scene->has("contact")) return known;
@@ -183,8 +211,8 @@ template <int D>
 void Parts<D>::own_families(const Model<D>& whole) {
   for (const Index family : part_.family) {
     Index decides = kNone;
-    for (Index k = whole.topology.family_start[family];
-         k < whole.topology.family_start[family + 1]; ++k) {
+    for (Index k = whole.topology.family_start[family]; k < whole.topology.family_start[family + 1];
+         ++k) {
       const Index e = whole.topology.family_corner[k] / (D + 1);
       if (decides == kNone) decides = e;
       if (whole.material_of_body(whole.mesh.body[e]).rigid) decides = e;
@@ -258,8 +286,8 @@ void Parts<D>::list_faces(const Model<D>& local) {
   for (std::size_t f = 0; f < part_.face.size(); ++f) {
     const SharedFace& face = local.topology.shared[f];
     if (local.part.owns[face.left] != 0 || local.part.owns[face.right] != 0) continue;
-    const auto owner =
-        static_cast<std::size_t>(partition_.part[part_.element[static_cast<std::size_t>(face.left)]]);
+    const auto owner = static_cast<std::size_t>(
+        partition_.part[part_.element[static_cast<std::size_t>(face.left)]]);
     wanted[owner].push_back(part_.face[f]);
     in[owner].push_back(static_cast<Index>(f));
   }
@@ -301,8 +329,7 @@ Array<Index> interfaces_of(const Array<Index>& faces, Index count, const Array<I
   const auto list =
       allocate<Array<Index>>("breccia::halo::interfaces", static_cast<std::size_t>(count));
   for_each(
-      "breccia::halo::interfaces", count,
-      KOKKOS_LAMBDA(Index k) { list(k) = of_face(faces(k)); });
+      "breccia::halo::interfaces", count, KOKKOS_LAMBDA(Index k) { list(k) = of_face(faces(k)); });
   return list;
 }
 
@@ -324,8 +351,8 @@ StableStep Parts<D>::least(const StableStep& mine) const {
   StableStep all = mine;
   all.dt = world_->least(mine.dt);
   all.strain_rate = world_->largest(mine.strain_rate);
-  all.rank = static_cast<int>(
-      world_->least(mine.dt == all.dt ? world_->rank() : world_->size() - 1));
+  all.rank =
+      static_cast<int>(world_->least(mine.dt == all.dt ? world_->rank() : world_->size() - 1));
   if (all.rank != world_->rank()) all.node = kNone;
   all.by_springs = world_->any(all.rank == world_->rank() && mine.by_springs);
   return all;

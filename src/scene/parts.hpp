@@ -3,8 +3,8 @@
 #include "comm/partition.hpp"
 #include "loops/stable_step.hpp"
 #include "mesh/part.hpp"
-#include "step/model.hpp"
 #include "step/clock.hpp"
+#include "step/model.hpp"
 #include "step/plan.hpp"
 
 #include <vector>

@@ -61,8 +61,8 @@ class Run {
     if (request.restart)
       state = load_state(output + "/" + std::string("checkpoint.h5"), identity_, *whole_);
     if (world_ != nullptr) deal_out();
-    recorder_ = std::make_unique<Recorder<D>>(
-        simulation(), folder_.get(), scene, [this] { return whole(); });
+    recorder_ = std::make_unique<Recorder<D>>(simulation(), folder_.get(), scene,
+                                              [this] { return whole(); });
     guard_ = std::make_unique<Guard<D>>(simulation(), scene.at("run"));
     if (request.restart) {
       wall_before_ = state.wall_seconds;
@@ -135,8 +135,7 @@ class Run {
           "{}: {} elements, {} nodes, {}step {:.4g} s, about {:.0f} steps",
           scene_.text_or("title", "scene"), whole_->model().elements(), whole_->model().nodes(),
           world_ == nullptr ? "" : fmt::format("{} ranks, ", world_->size()),
-          simulation().clock().dt,
-          scene_.at("run").number("duration") / simulation().clock().dt));
+          simulation().clock().dt, scene_.at("run").number("duration") / simulation().clock().dt));
     for (const std::string& line : left_in_double(model)) log::info(line);
     for (const std::string& line : precision_doubts(model)) log::warning(line);
   }

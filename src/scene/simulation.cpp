@@ -251,7 +251,8 @@ void Simulation<D>::agree() {
     parts_->bring_slip(model_);
   }
   if ((seen & news::stop) == 0) return;
-  const auto first = static_cast<int>(world.least(model_.stop.raised ? world.rank() : world.size()));
+  const auto first =
+      static_cast<int>(world.least(model_.stop.raised ? world.rank() : world.size()));
   world.share(model_.stop.cause, first);
   model_.stop.raised = true;
 }

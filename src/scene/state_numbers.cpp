@@ -30,8 +30,7 @@ void StateNumbers::add(const StateNumbers& other) {
     Entry& entry = entries[name];
     if (more.kind == Kind::sum) {
       for (std::size_t i = 0; i < entry.reals.size(); ++i) entry.reals[i] += more.reals[i];
-      for (std::size_t i = 0; i < entry.integers.size(); ++i)
-        entry.integers[i] += more.integers[i];
+      for (std::size_t i = 0; i < entry.integers.size(); ++i) entry.integers[i] += more.integers[i];
     } else if (more.kind != Kind::same) {
       entry.reals.insert(entry.reals.end(), more.reals.begin(), more.reals.end());
     }
@@ -72,10 +71,10 @@ std::vector<char> StateNumbers::packed() const {
   std::vector<char> bytes;
   for (const auto& [name, entry] : entries) {
     if (entry.kind == Kind::same) continue;
-    const std::int64_t head[] = {
-        static_cast<std::int64_t>(name.size()), static_cast<std::int64_t>(entry.kind),
-        entry.whole_numbers ? 1 : 0, static_cast<std::int64_t>(entry.reals.size()),
-        static_cast<std::int64_t>(entry.integers.size())};
+    const std::int64_t head[] = {static_cast<std::int64_t>(name.size()),
+                                 static_cast<std::int64_t>(entry.kind), entry.whole_numbers ? 1 : 0,
+                                 static_cast<std::int64_t>(entry.reals.size()),
+                                 static_cast<std::int64_t>(entry.integers.size())};
     push(bytes, head, std::size(head));
     push(bytes, name.data(), name.size());
     push(bytes, entry.reals.data(), entry.reals.size());

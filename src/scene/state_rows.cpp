@@ -145,8 +145,7 @@ StateRows in_order(const StateRows& rows, const std::vector<Index>& family_start
   table.put(ordered);
   if (has_rows(rows, FaceInterface::info.name)) {
     auto* of_face = ordered.at(std::string(FaceInterface::info.name)).as<Index>();
-    const auto* record =
-        ordered.at(std::string(InterfaceRecords::info.name)).as<InterfaceRecord>();
+    const auto* record = ordered.at(std::string(InterfaceRecords::info.name)).as<InterfaceRecord>();
     for (std::size_t i = 0; i < interfaces.size(); ++i)
       of_face[record[i].face] = static_cast<Index>(i);
   }

@@ -45,8 +45,13 @@ void Plan::insert_exchanges() {
       return meet(task.writes, exchange.fields);
     });
     if (!wanted || last == tasks_.rend()) continue;
-    tasks_.insert(last.base(), Task{last->stage, "exchange::" + exchange.fields.front(), "exchange",
-                                    exchange.fields, exchange.fields, {}, exchange.run});
+    tasks_.insert(last.base(), Task{last->stage,
+                                    "exchange::" + exchange.fields.front(),
+                                    "exchange",
+                                    exchange.fields,
+                                    exchange.fields,
+                                    {},
+                                    exchange.run});
   }
 }
 

@@ -9,10 +9,10 @@ namespace breccia {
 template <int D>
 ElementStress<D> stress_of(const Model<D>& model) {
   const Store& s = model.store;
-  return {s.get<ElementNodes<D>>(),      s.get<NodePosition<D>>(),
-          s.get<ElementReference<D>>(),  s.get<ElementMaterial>(),
-          s.get<MaterialLame>(),         model.thickness,
-          D == 2 && model.plane_stress,  s.get_or_empty<ElementCauchy<D>>(),
+  return {s.get<ElementNodes<D>>(),       s.get<NodePosition<D>>(),
+          s.get<ElementReference<D>>(),   s.get<ElementMaterial>(),
+          s.get<MaterialLame>(),          model.thickness,
+          D == 2 && model.plane_stress,   s.get_or_empty<ElementCauchy<D>>(),
           s.get_or_empty<ElementShare>(), model.part.own};
 }
 

@@ -90,6 +90,26 @@ TEST(Series, InverseTangentIsExactInEveryLane) {
         [](double x) { return std::atanh(std::sqrt(x)) / std::sqrt(x); }, 2e-15);
 }
 
+// What shares a register with an element changes with the number of ranks; its bits must not.
+TEST(Series, NeighboursChangeNoBit) {
+  const auto same = [](double a, double b, const auto& f) {
+    check_lanes(
+        a, b, f,
+        [&f](double x) {
+          double lane[kLanes];
+          store(f(R(x)), lane);
+          return lane[0];
+        },
+        0);
+  };
+  for (const double far : {0.3, 0.9, 5.0}) {
+    same(1.003, far, [](const R& x) { return log_near_one(x); });
+    same(0.003, far, [](const R& x) { return log_of_one_plus(x); });
+    same(1e-5, 0.1 * far, [](const R& x) { return atanh_ratio(x); });
+    same(1e-5, 0.1 * far, [](const R& x) { return atanh_ratio_slope(x); });
+  }
+}
+
 TEST(Series, OfOneDoubleIsTheSame) {
   for (const double y : {1e-6, 0.0199, 0.0201, 0.9})
     EXPECT_NEAR(atanh_ratio(y), std::atanh(std::sqrt(y)) / std::sqrt(y), 2e-15);

@@ -188,9 +188,8 @@ bool ContactLists<D>::has_own_pairs() const {
   const Array<Index> point = pairs_.point;
   const Array<std::uint8_t> own = part_->own;
   return count_where(
-             "breccia::contact::own_points", pairs_.points, KOKKOS_LAMBDA(Index a) {
-               return own(point(a) / kFacePoints<D> / (D + 1)) != 0;
-             }) > 0;
+             "breccia::contact::own_points", pairs_.points,
+             KOKKOS_LAMBDA(Index a) { return own(point(a) / kFacePoints<D> / (D + 1)) != 0; }) > 0;
 }
 
 template <int D>

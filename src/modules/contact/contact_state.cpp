@@ -1,7 +1,6 @@
 // What of the contact lists goes into a checkpoint, and what memory they take.
-#include "modules/contact/contact_lists.hpp"
-
 #include "loops/list_tools.hpp"
+#include "modules/contact/contact_lists.hpp"
 
 #include <algorithm>
 
@@ -193,7 +192,7 @@ void ContactLists<D>::take_surface(const std::vector<double>& facets,
 /// Per point: its number, how many candidates it has, their elements.
 template <int D>
 void ContactLists<D>::give_pairs(std::vector<double>& list) const {
-  constexpr Index kElementPoints = kFacePoints<D>*(D + 1);
+  constexpr Index kElementPoints = kFacePoints<D> * (D + 1);
   const auto point = to_host(pairs_.point, static_cast<std::size_t>(pairs_.points));
   const auto begin = to_host(pairs_.pair_begin, point.empty() ? 0 : point.size() + 1);
   const auto target = to_host(pairs_.target, static_cast<std::size_t>(pairs_.pairs));
@@ -211,7 +210,7 @@ void ContactLists<D>::give_pairs(std::vector<double>& list) const {
 
 template <int D>
 void ContactLists<D>::take_pairs(const std::vector<double>& list) {
-  constexpr Index kElementPoints = kFacePoints<D>*(D + 1);
+  constexpr Index kElementPoints = kFacePoints<D> * (D + 1);
   KeptRows rows;
   for (std::size_t at = 0; at < list.size(); at += 2 + static_cast<std::size_t>(list[at + 1]))
     keep(&list[at], kElementPoints, *part_, rows);

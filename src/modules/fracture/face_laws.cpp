@@ -34,9 +34,10 @@ std::vector<Index> law_of_faces(const InterfaceLaws& laws, const Model<D>& model
     const Index first = tied ? kNone
                              : laws.between(model.body_material[model.mesh.body[face.left]],
                                             model.body_material[model.mesh.body[face.right]]);
-    law.push_back(first == kNone ? kNone
-                                 : first + grades.of<D>(first, model.part.face_number(Index(law.size())),
-                                                        model.mesh, {face.left, face.left_face}));
+    law.push_back(first == kNone
+                      ? kNone
+                      : first + grades.of<D>(first, model.part.face_number(Index(law.size())),
+                                             model.mesh, {face.left, face.left_face}));
   }
   put_existing_laws(laws, model, law);
   for (std::size_t f = 0; f < law.size(); ++f) {

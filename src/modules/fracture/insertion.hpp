@@ -22,7 +22,7 @@ class Insertion {
   Index check(Model<D>& model);
 
   // The same in parts, between which the ranks tell one another what they have found.
-  void mark_onset(Model<D>& model);   ///< writes FaceOnset
+  void mark_onset(Model<D>& model);    ///< writes FaceOnset
   void mark_at_tips(Model<D>& model);  ///< inserts what FaceOnset says, writes FaceTipOnset
   Index finish_check(Model<D>& model);
 

@@ -158,7 +158,8 @@ void Solid<D>::resume(Model<D>& model) {
   }
   Kokkos::deep_copy(model.store.template get<MaterialLame>(), lame);
   for (std::size_t b = 0; b < sums_.size(); ++b) {
-    const auto rows = static_cast<std::size_t>(chunks_of(model.blocks[b].end - model.blocks[b].begin));
+    const auto rows =
+        static_cast<std::size_t>(chunks_of(model.blocks[b].end - model.blocks[b].begin));
     if (sums_[b].extent(0) < rows) Kokkos::resize(sums_[b], rows);
     if (!model.part.whole())
       Kokkos::deep_copy(Kokkos::subview(sums_[b], Kokkos::ALL, int(element_sum::stored)), 0.0);
