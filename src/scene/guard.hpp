@@ -2,6 +2,7 @@
 #include "io/report.hpp"
 #include "scene/simulation.hpp"
 
+#include <functional>
 #include <string>
 
 namespace breccia {
@@ -27,8 +28,11 @@ class Guard {
  private:
   void judge_energy();
   void judge_overlap();
-  void stop(const std::string& what, const std::string& remedy);
+  void raise(const std::string& what, const std::string& remedy);
+  void stop();
+  std::string on_rank_of_largest(double value, const std::function<std::string()>& text) const;
   std::string fastest_node() const;
+  std::string place_of_overlap() const;
   std::string place_of(Index element) const;
   /// The energy that grew most since the last look.
   std::string grown_most() const;
@@ -40,7 +44,11 @@ class Guard {
   double in_play_ = 0;  ///< J, the largest energy so far
   int alarms_ = 0;      ///< looks in a row that saw too much energy
   Ledger now_, last_;
-  Overlap overlap_;
+  Overlap overlap_;     ///< the element where this rank knows it
+  struct Alarm {
+    std::string what, remedy;
+  };
+  Alarm alarm_;  ///< of this look
   Report::Guard seen_;
 };
 

@@ -118,18 +118,22 @@ Index place_in(const std::vector<Index>& list, Index number) {
 
 namespace {
 
+[[noreturn]] void refuse(const Settings& section, const std::string& key, const std::string& what) {
+  throw section.error(key, what + " on one rank only so far",
+                      "start one rank with more --threads (docs/ranks.md)");
+}
+
 /// What many ranks cannot do yet.
 void refuse_on_many(const Settings& scene) {
-  if (!scene.has("contact")) return;
-  const Settings& contact = scene.at("contact");
-  if (contact.text("force") == "distributed_potential")
-    throw contact.error("force", "the distributed potential is for one rank",
-                        "leave contact.force out, or start one rank");
-  if (!scene.list("excavate").empty())
-    throw scene.list("excavate")
-        .front()
-        .error("", "contact and excavation together are for one rank",
-               "start one rank with more --threads");
+  for (const Settings& body : scene.list("body"))
+    if (body.flag("rigid")) refuse(body, "rigid", "rigid bodies move");
+  for (const Settings& section : scene.list("excavate"))
+    refuse(section, "", "a scene is excavated");
+  for (const Settings& section : scene.list("boundary"))
+    if (section.has("on_new_faces")) refuse(section, "on_new_faces", "a pressure spreads");
+  if (scene.at("run").has("rest")) refuse(scene.at("run.rest"), "", "a scene is brought to rest");
+  if (scene.has("contact") && scene.at("contact").text("force") == "distributed_potential")
+    refuse(scene.at("contact"), "force", "the distributed potential works");
 }
 
 template <int D>

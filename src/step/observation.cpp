@@ -7,7 +7,9 @@ namespace breccia {
 void Row::set(const std::string& column, double value, Merge merge) {
   const auto found = std::find(columns_.begin(), columns_.end(), column);
   if (found != columns_.end()) {
-    values_[static_cast<std::size_t>(found - columns_.begin())] = value;
+    const auto i = static_cast<std::size_t>(found - columns_.begin());
+    values_[i] = value;
+    if (merge != Merge::same) merges_[i] = merge;
     return;
   }
   columns_.push_back(column);

@@ -20,6 +20,7 @@ enum class Merge { same, sum, largest };
 /// One history row in the making: columns in the order in which they were first set.
 class Row {
  public:
+  /// A column keeps a merge that it was once given.
   void set(const std::string& column, double value, Merge merge = Merge::same);
   double get(const std::string& column) const;  ///< 0 where it is not set yet
   const std::vector<std::string>& columns() const { return columns_; }

@@ -33,6 +33,9 @@ struct Part {
     return whole() ? e : element[std::size_t(e)];
   }
   [[nodiscard]] bool owns_element(Index e) const { return whole() || owns[std::size_t(e)] != 0; }
+  [[nodiscard]] bool owns_family(Index f) const {
+    return whole() || family_owner[std::size_t(f)] == world->rank();
+  }
 
   // Of numbers that each rank knows a part of.
   [[nodiscard]] double largest(double value) const {
@@ -40,6 +43,18 @@ struct Part {
   }
   [[nodiscard]] double least(double value) const { return whole() ? value : world->least(value); }
   [[nodiscard]] bool any(bool value) const { return whole() ? value : world->any(value); }
+  [[nodiscard]] double sum(double value) const {
+    if (whole()) return value;
+    std::vector<double> sums{value};
+    world->add_up(sums);
+    return sums.front();
+  }
+  /// The first of the ranks with the largest value.
+  [[nodiscard]] int rank_of_largest(double value) const {
+    if (whole()) return 0;
+    const bool mine = value == world->largest(value);
+    return static_cast<int>(world->least(mine ? world->rank() : world->size()));
+  }
 };
 
 }  // namespace breccia

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -75,25 +76,36 @@ auto Sensor<D>::point(const Model<D>& model, const Settings& section) const -> P
   Probe probe{section.name(), Kind::point, kNone, {}, {}, {}, {}};
   double deepest = -std::numeric_limits<double>::infinity();
   for (Index e = 0; e < model.elements(); ++e) {
+    if (!model.part.owns_element(e)) continue;
     const auto bary = barycentric(model.mesh, e, at);
-    const double inside = *std::min_element(bary.begin(), bary.end());
-    if (inside > deepest) {
-      deepest = inside;
+    const double depth = *std::min_element(bary.begin(), bary.end());
+    if (depth > deepest) {
+      deepest = depth;
       probe.element = e;
       probe.shares.assign(bary.begin(), bary.end());
     }
   }
-  if (deepest < -1e-6)
+  const double inside = model.part.largest(deepest);
+  if (inside < -1e-6)
     throw section.error("point", "the point lies in no body",
                         "move it into a body; `breccia check` prints the extent of every body");
+  // Of elements as deep the first of the whole mesh has the point; its owner speaks for it.
+  const double number = deepest == inside ? model.part.element_number(probe.element)
+                                          : std::numeric_limits<double>::infinity();
+  if (number != model.part.least(number)) {
+    probe.element = kNone;
+    probe.shares.clear();
+    return probe;
+  }
   const auto& nodes = model.mesh.element[probe.element];
   probe.families.assign(nodes.begin(), nodes.end());
   return probe;
 }
 
-/// Share of each point of a region in its mean: by volume in a body, by area on a surface.
+/// Share of each point of a region in its mean: by volume in a body, by area on a surface. Points of
+/// other ranks are left out.
 template <int D>
-std::vector<double> shares_of(const Region& region, const Mesh<D>& mesh) {
+std::map<Index, double> shares_of(const Region& region, const Mesh<D>& mesh, const Part& part) {
   std::map<Index, double> share;
   for (const Index n : region.points) share[n] = 0;
   for (const Index e : region.elements)
@@ -103,19 +115,25 @@ std::vector<double> shares_of(const Region& region, const Mesh<D>& mesh) {
       for (int j = 0; j < D; ++j)
         share[mesh.element[f.element][face_node<D>(f.face, j)]] +=
             length(face_normal_area<D>(corners(mesh, f.element), f.face));
+  for (auto at = share.begin(); at != share.end();)
+    at = part.owns_family(at->first) ? std::next(at) : share.erase(at);
   double total = 0;
   for (const auto& [n, s] : share) total += s;
-  std::vector<double> shares;
-  for (const auto& [n, s] : share)
-    shares.push_back(total > 0 ? s / total : 1.0 / static_cast<double>(share.size()));
-  return shares;
+  total = part.sum(total);
+  const double points = part.sum(static_cast<double>(share.size()));
+  for (auto& [n, s] : share) s = total > 0 ? s / total : 1.0 / points;
+  return share;
 }
 
 template <int D>
 auto Sensor<D>::surface(const Model<D>& model, const Settings& section) const -> Probe {
   const Region& region = named_region(section, "surface", section.text("surface"), model.mesh);
-  return {
-      section.name(), Kind::surface, kNone, region.points, shares_of(region, model.mesh), {}, {}};
+  Probe probe{section.name(), Kind::surface, kNone, {}, {}, {}, {}};
+  for (const auto& [point, share] : shares_of(region, model.mesh, model.part)) {
+    probe.families.push_back(point);
+    probe.shares.push_back(share);
+  }
+  return probe;
 }
 
 template <int D>
@@ -137,10 +155,13 @@ auto Sensor<D>::reaction(const Model<D>& model, const Settings& section) const -
                                                          model.store.template get<NodeFlags>());
   const bool held = std::any_of(probe.families.begin(), probe.families.end(),
                                 [&](Index n) { return (flags(n) & node_flag::fixed_any) != 0; });
-  if (!held)
+  if (!held && !model.mesh.partial)
     throw section.error("reaction",
                         fmt::format("nothing holds or moves '{}', so it has no reaction", name),
                         "name a [[boundary]] with `velocity` or `fixed`, or a body that has one");
+  const auto others = [&](Index n) { return !model.part.owns_family(n); };
+  probe.families.erase(std::remove_if(probe.families.begin(), probe.families.end(), others),
+                       probe.families.end());
   probe.shares.assign(probe.families.size(), 1.0);
   return probe;
 }
@@ -150,7 +171,7 @@ void Sensor<D>::place_at_corners(const Model<D>& model, Probe& probe) const {
   const auto nodes = Kokkos::create_mirror_view_and_copy(
       Kokkos::HostSpace{}, model.store.template get<ElementNodes<D>>());
   std::vector<Index> list;
-  for (int a = 0; a <= D; ++a) list.push_back(nodes(probe.element, a));
+  for (int a = 0; a <= D && probe.element != kNone; ++a) list.push_back(nodes(probe.element, a));
   probe.nodes = to_device("breccia::sensor::nodes", list);
   probe.weights = to_device("breccia::sensor::weights", probe.shares);
 }
@@ -201,18 +222,19 @@ template <int D>
 void Sensor<D>::before(Model<D>& model, const Probe& probe, Row& row) const {
   const Store& s = model.store;
   if (probe.kind == Kind::reaction) {
-    for (int d = 0; d < D; ++d) row.set(probe.name + "." + kAxes[d], 0);
+    for (int d = 0; d < D; ++d) row.set(probe.name + "." + kAxes[d], 0, Merge::sum);
     return;
   }
   const Vec<D> u = sample<D>(s.get<NodePosition<D>>(), probe.nodes, probe.weights) -
                    sample<D>(s.get<NodeReference<D>>(), probe.nodes, probe.weights);
   const Vec<D> v = sample<D>(s.get<NodeVelocity<D>>(), probe.nodes, probe.weights);
-  for (int d = 0; d < D; ++d) row.set(probe.name + ".u" + kAxes[d], u[d]);
-  for (int d = 0; d < D; ++d) row.set(probe.name + ".v" + kAxes[d], v[d]);
+  for (int d = 0; d < D; ++d) row.set(probe.name + ".u" + kAxes[d], u[d], Merge::sum);
+  for (int d = 0; d < D; ++d) row.set(probe.name + ".v" + kAxes[d], v[d], Merge::sum);
   if (probe.kind != Kind::point) return;
-  const Sym<D> sigma = stress_at(model, probe.element, probe.shares);
+  const Sym<D> sigma = probe.element == kNone ? Sym<D>::zero()
+                                              : stress_at(model, probe.element, probe.shares);
   for (int i = 0; i < D; ++i)
-    for (int j = i; j < D; ++j) row.set(probe.name + ".s" + kAxes[i] + kAxes[j], sigma(i, j));
+    for (int j = i; j < D; ++j) row.set(probe.name + ".s" + kAxes[i] + kAxes[j], sigma(i, j), Merge::sum);
 }
 
 template <int D>

@@ -19,7 +19,7 @@ class Sensor final : public Module<D> {
   struct Probe {
     std::string name;
     Kind kind;
-    Index element = kNone;        ///< of a point
+    Index element = kNone;        ///< of a point, where this rank owns it
     std::vector<Index> families;  ///< original nodes
     std::vector<double> shares;   ///< weight of each
     Array<Index> nodes;           ///< their present copies
