@@ -44,7 +44,7 @@ class Guard {
   double in_play_ = 0;  ///< J, the largest energy so far
   int alarms_ = 0;      ///< looks in a row that saw too much energy
   Ledger now_, last_;
-  Overlap overlap_;     ///< the element where this rank knows it
+  Overlap overlap_;  ///< the element where this rank knows it
   struct Alarm {
     std::string what, remedy;
   };

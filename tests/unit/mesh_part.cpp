@@ -1,7 +1,6 @@
 // A part of a mesh knows as much of its elements as the whole does.
-#include "mesh/part.hpp"
-
 #include "core/random.hpp"
+#include "mesh/part.hpp"
 #include "mesh_samples.hpp"
 
 #include <gtest/gtest.h>

@@ -231,10 +231,11 @@ void Sensor<D>::before(Model<D>& model, const Probe& probe, Row& row) const {
   for (int d = 0; d < D; ++d) row.set(probe.name + ".u" + kAxes[d], u[d], Merge::sum);
   for (int d = 0; d < D; ++d) row.set(probe.name + ".v" + kAxes[d], v[d], Merge::sum);
   if (probe.kind != Kind::point) return;
-  const Sym<D> sigma = probe.element == kNone ? Sym<D>::zero()
-                                              : stress_at(model, probe.element, probe.shares);
+  const Sym<D> sigma =
+      probe.element == kNone ? Sym<D>::zero() : stress_at(model, probe.element, probe.shares);
   for (int i = 0; i < D; ++i)
-    for (int j = i; j < D; ++j) row.set(probe.name + ".s" + kAxes[i] + kAxes[j], sigma(i, j), Merge::sum);
+    for (int j = i; j < D; ++j)
+      row.set(probe.name + ".s" + kAxes[i] + kAxes[j], sigma(i, j), Merge::sum);
 }
 
 template <int D>
