@@ -22,9 +22,9 @@ struct CellHash {
 
 /// Mean of the boxes' longest sides.
 template <int D>
-double mean_side(const std::vector<Box<D>>& boxes) {
+double mean_side(const std::vector<AxisBox<D>>& boxes) {
   double sum = 0;
-  for (const Box<D>& box : boxes) {
+  for (const AxisBox<D>& box : boxes) {
     double side = 0;
     for (std::size_t d = 0; d < D; ++d) side = std::max(side, box.high[d] - box.low[d]);
     sum += side;
@@ -34,7 +34,7 @@ double mean_side(const std::vector<Box<D>>& boxes) {
 
 /// Calls f(cell) for each cell of this size that a box touches.
 template <int D, class F>
-void cover(const Box<D>& box, double size, const F& f) {
+void cover(const AxisBox<D>& box, double size, const F& f) {
   Cell<D> first, last, at;
   for (std::size_t d = 0; d < D; ++d) {
     at[d] = first[d] = static_cast<std::int64_t>(std::floor(box.low[d] / size));
@@ -49,7 +49,7 @@ void cover(const Box<D>& box, double size, const F& f) {
 }
 
 template <int D>
-bool touch(const Box<D>& a, const Box<D>& b) {
+bool touch(const AxisBox<D>& a, const AxisBox<D>& b) {
   for (std::size_t d = 0; d < D; ++d)
     if (a.low[d] > b.high[d] || b.low[d] > a.high[d]) return false;
   return true;
@@ -58,14 +58,14 @@ bool touch(const Box<D>& a, const Box<D>& b) {
 }  // namespace
 
 template <int D>
-std::vector<Index> boxes_near(const std::vector<Box<D>>& boxes, const std::vector<Index>& chosen,
+std::vector<Index> boxes_near(const std::vector<AxisBox<D>>& boxes, const std::vector<Index>& chosen,
                               double reach) {
   const double size = 2 * (mean_side(boxes) + reach);
   std::unordered_map<Cell<D>, std::vector<Index>, CellHash<D>> cells;
   std::vector<std::uint8_t> taken(boxes.size(), 0);
-  std::vector<Box<D>> wide(boxes);
+  std::vector<AxisBox<D>> wide(boxes);
   for (const Index i : chosen) {
-    Box<D>& box = wide[static_cast<std::size_t>(i)];
+    AxisBox<D>& box = wide[static_cast<std::size_t>(i)];
     for (std::size_t d = 0; d < D; ++d) {
       box.low[d] -= reach;
       box.high[d] += reach;
@@ -89,9 +89,9 @@ std::vector<Index> boxes_near(const std::vector<Box<D>>& boxes, const std::vecto
   return near;
 }
 
-template std::vector<Index> boxes_near<2>(const std::vector<Box<2>>&, const std::vector<Index>&,
+template std::vector<Index> boxes_near<2>(const std::vector<AxisBox<2>>&, const std::vector<Index>&,
                                           double);
-template std::vector<Index> boxes_near<3>(const std::vector<Box<3>>&, const std::vector<Index>&,
+template std::vector<Index> boxes_near<3>(const std::vector<AxisBox<3>>&, const std::vector<Index>&,
                                           double);
 
 }  // namespace breccia

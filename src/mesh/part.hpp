@@ -29,13 +29,13 @@ std::vector<Index> with_neighbours(const Mesh<D>& mesh, const Topology<D>& topol
 
 /// A box with sides along the axes, m.
 template <int D>
-struct Box {
+struct AxisBox {
   Point<D> low, high;
 };
 
 /// The chosen boxes and those that come within `reach` of one of them; ascending.
 template <int D>
-std::vector<Index> boxes_near(const std::vector<Box<D>>& boxes, const std::vector<Index>& chosen,
+std::vector<Index> boxes_near(const std::vector<AxisBox<D>>& boxes, const std::vector<Index>& chosen,
                               double reach);
 
 }  // namespace breccia

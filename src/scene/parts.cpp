@@ -24,15 +24,15 @@ constexpr std::int64_t kLook = 16;
 constexpr double kCaution = 1.25;
 
 template <int D>
-std::vector<Box<D>> boxes_of(const Model<D>& model) {
+std::vector<AxisBox<D>> boxes_of(const Model<D>& model) {
   const auto x = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
                                                      model.store.template get<NodePosition<D>>());
   const auto nodes = Kokkos::create_mirror_view_and_copy(
       Kokkos::HostSpace{}, model.store.template get<ElementNodes<D>>());
-  std::vector<Box<D>> boxes(model.mesh.element.size());
+  std::vector<AxisBox<D>> boxes(model.mesh.element.size());
   for (Index e = 0; e < model.elements(); ++e)
     for (std::size_t d = 0; d < D; ++d) {
-      Box<D>& box = boxes[static_cast<std::size_t>(e)];
+      AxisBox<D>& box = boxes[static_cast<std::size_t>(e)];
       box.low[d] = box.high[d] = x(nodes(e, 0), d);
       for (int a = 1; a <= D; ++a) {
         box.low[d] = std::min(box.low[d], x(nodes(e, a), d));
@@ -179,7 +179,7 @@ std::vector<Index> Parts<D>::known_elements(const Model<D>& whole) {
   // What may touch the elements so far; what may touch that; and as much around it as the depth of
   // a target depends on.
   reach_ = kReach * whole.part.skin;
-  const std::vector<Box<D>> boxes = boxes_of(whole);
+  const std::vector<AxisBox<D>> boxes = boxes_of(whole);
   for (int layer = 0; layer < 2; ++layer) known = boxes_near<D>(boxes, known, reach_);
   grow(kDepthRings);
   return known;

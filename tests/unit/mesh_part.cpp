@@ -111,7 +111,7 @@ TEST(MeshPart, NeighboursShareAPoint) {
 template <int D>
 void check_near() {
   const Random random{1, 7};
-  std::vector<Box<D>> boxes(400);
+  std::vector<AxisBox<D>> boxes(400);
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (std::size_t d = 0; d < D; ++d) {
       boxes[i].low[d] = random.uniform(i, static_cast<std::uint32_t>(d));

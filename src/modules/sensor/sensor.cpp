@@ -102,8 +102,8 @@ auto Sensor<D>::point(const Model<D>& model, const Settings& section) const -> P
   return probe;
 }
 
-/// Share of each point of a region in its mean: by volume in a body, by area on a surface. Points of
-/// other ranks are left out.
+/// Share of each point of a region in its mean: by volume in a body, by area on a surface. Points
+/// of other ranks are left out.
 template <int D>
 std::map<Index, double> shares_of(const Region& region, const Mesh<D>& mesh, const Part& part) {
   std::map<Index, double> share;
