@@ -58,8 +58,8 @@ bool touch(const AxisBox<D>& a, const AxisBox<D>& b) {
 }  // namespace
 
 template <int D>
-std::vector<Index> boxes_near(const std::vector<AxisBox<D>>& boxes, const std::vector<Index>& chosen,
-                              double reach) {
+std::vector<Index> boxes_near(const std::vector<AxisBox<D>>& boxes,
+                              const std::vector<Index>& chosen, double reach) {
   const double size = 2 * (mean_side(boxes) + reach);
   std::unordered_map<Cell<D>, std::vector<Index>, CellHash<D>> cells;
   std::vector<std::uint8_t> taken(boxes.size(), 0);

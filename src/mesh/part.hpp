@@ -35,7 +35,7 @@ struct AxisBox {
 
 /// The chosen boxes and those that come within `reach` of one of them; ascending.
 template <int D>
-std::vector<Index> boxes_near(const std::vector<AxisBox<D>>& boxes, const std::vector<Index>& chosen,
-                              double reach);
+std::vector<Index> boxes_near(const std::vector<AxisBox<D>>& boxes,
+                              const std::vector<Index>& chosen, double reach);
 
 }  // namespace breccia

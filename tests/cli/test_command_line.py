@@ -146,10 +146,10 @@ class Run(CommandLine):
         self.assertEqual(len(hashes), 1)
 
     @unittest.skipIf(shutil.which("mpirun") is None, "no launcher")
-    def test_many_ranks_are_refused_once(self):
-        result = self.breccia("run", "block.toml", front=("mpirun", "-n", "2"), status=2)
+    def test_many_ranks_are_for_runs(self):
+        result = self.breccia("check", "block.toml", front=("mpirun", "-n", "2"), status=2)
         self.assertEqual(result.stderr.count("started on 2 ranks"), 1)
-        self.assertIn("many ranks come with a later release", result.stderr)
+        self.assertIn("many are for `breccia run`", result.stderr)
         self.assertEqual(self.names(), {"block.toml"})
 
 
