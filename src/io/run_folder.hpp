@@ -22,7 +22,10 @@ class RunFolder {
   [[nodiscard]] std::string events() const { return path_ + "/events.csv"; }
   [[nodiscard]] std::string emissions() const { return path_ + "/emissions.csv"; }
   [[nodiscard]] std::string fragments() const { return path_ + "/fragments.csv"; }
-  [[nodiscard]] std::string checkpoint() const { return path_ + "/checkpoint.h5"; }
+  [[nodiscard]] std::string checkpoint() const { return checkpoint_in(path_); }
+  [[nodiscard]] static std::string checkpoint_in(const std::string& path) {
+    return path + "/checkpoint.h5";
+  }
   [[nodiscard]] std::string report() const { return path_ + "/report.json"; }
 
   /// Writes the resolved scene. Throws Error.

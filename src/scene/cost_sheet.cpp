@@ -21,6 +21,7 @@ void add_effects(const Simulation<D>& simulation, const std::vector<Cost>& costs
   std::vector<EffectState> states = effects_of(simulation.scene());
   states.push_back({"guard", simulation.scene().at("run").integer("guard.every") > 0, ""});
   states.push_back({"output", true, ""});
+  if (!simulation.model().part.whole()) states.push_back({"exchange", true, ""});
   for (const EffectState& state : states) {
     if (!state.on) {
       report.effects_off.push_back(state.name);

@@ -58,8 +58,7 @@ class Run {
       if (!request.restart) folder_->write_scene(resolved.str());
     });
     OutputState state;
-    if (request.restart)
-      state = load_state(output + "/" + std::string("checkpoint.h5"), identity_, *whole_);
+    if (request.restart) state = load_state(RunFolder::checkpoint_in(output), identity_, *whole_);
     if (world_ != nullptr) deal_out();
     recorder_ = std::make_unique<Recorder<D>>(simulation(), folder_.get(), scene,
                                               [this] { return whole(); });
@@ -118,6 +117,7 @@ class Run {
   /// The ranks look around anew: after things have moved, others may be near.
   void look_around() {
     collect_state(*part_, whole_.get(), true);
+    whole_->model().part.skin = part_->model().part.skin;
     auto parts = std::make_unique<Parts<D>>(*world_, whole_->model(), parts_->partition());
     auto part = std::make_unique<Simulation<D>>(scene_, *parts);
     take_state(*whole_, *part);
