@@ -168,7 +168,7 @@ void ContactLists<D>::look(Model<D>& model, const Clock& clock, const ContactSti
     const ContactWay now = way(model);
     chase_ = kSearchSteps * now.speed * clock.dt;
     due = far(model, clock, now);
-    deeper = now.rim != 0 && deepen();
+    deeper = now.rim != 0 && deepen(model, clock);
   }
   if (!due && !deeper) return;
   clear(model);
@@ -271,9 +271,18 @@ bool ContactLists<D>::far(Model<D>& model, const Clock& clock, const ContactWay&
 
 /// More layers of targets, for a point has reached the deepest.
 template <int D>
-bool ContactLists<D>::deepen() {
+bool ContactLists<D>::deepen(Model<D>& model, const Clock& clock) {
   Kokkos::deep_copy(Exec(), Kokkos::subview(signals_.value, ContactSignals::rim), Index(0));
   if (!deeper_exist_) return false;
+  if (!part_->whole()) {
+    model.stop.raised = true;
+    model.stop.cause = fmt::format(
+        "at time {:.6g} s (step {}) bodies overlap by {} layers of elements, more than ranks know "
+        "of "
+        "one another; make contact stiffer, or go on with one rank from the checkpoint (--restart)",
+        clock.time, clock.step, layers_);
+    return false;
+  }
   layers_ += 2;
   return true;
 }

@@ -53,7 +53,7 @@ class ContactLists {
   ContactWay way(const Model<D>& model);
   bool pressed(Model<D>& model, const Clock& clock);
   bool far(Model<D>& model, const Clock& clock, const ContactWay& now);
-  bool deepen();
+  bool deepen(Model<D>& model, const Clock& clock);
   void make_signals();
   void clear(Model<D>& model) const;
   void make_surface(Model<D>& model);
